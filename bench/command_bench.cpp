@@ -1,0 +1,91 @@
+/// superstep bench: every integrator of a case against the reference and the baseline.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/commands.hpp"
+#include "bench/interrupt.hpp"
+#include "bench/loaded_case.hpp"
+#include "bench/machine.hpp"
+#include "bench/output_folder.hpp"
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "reports/results_csv.hpp"
+#include "reports/results_json.hpp"
+#include "reports/results_table.hpp"
+
+namespace superstep {
+namespace {
+
+std::vector<LoadedCase> load_all(const BenchCommand& command) {
+  check_specs(command.harness.integrators);
+  if (command.harness.reference != "none") check_specs({command.harness.reference});
+  std::vector<LoadedCase> cases;
+  for (const auto& file : command.case_files) cases.push_back(load_case(file));
+  return cases;
+}
+
+std::string output_folder(const BenchCommand& command, const std::vector<LoadedCase>& cases) {
+  if (!command.out.empty()) return command.out;
+  return default_output_folder(cases.size() == 1 ? cases.front().scene.name : "bench");
+}
+
+void write_results(const std::string& folder, const BenchReport& report) {
+  write_file_atomically(folder + "/results.csv", results_csv(report.cases));
+  write_file_atomically(folder + "/results.json", results_json(report));
+}
+
+ExitCode exit_code(const BenchReport& report) {
+  bool measured = false;
+  for (const auto& one : report.cases)
+    for (const auto& row : one.rows) {
+      if (row.ok()) return ExitCode::ok;
+      measured = measured || row.status != status_name(Status::refused);
+    }
+  return measured ? ExitCode::numerical : ExitCode::inconclusive;
+}
+
+BenchReport empty_report(const BenchCommand& command) {
+  return {.version = program_version(),
+          .revision = program_revision(),
+          .machine = machine_facts(),
+          .libraries = library_facts(),
+          .repetitions = command.harness.repetitions,
+          .threads = command.common.threads,
+          .interrupted = false,
+          .cases = {}};
+}
+
+}  // namespace
+
+int execute(const BenchCommand& command) {
+  const auto cases = load_all(command);
+  const std::string folder = output_folder(command, cases);
+  require_writable_folder(folder);
+  const bool quiet = command.common.quiet;
+  Progress progress(!quiet && stderr_is_terminal());
+  HarnessOptions options = command.harness;
+  options.threads = command.common.threads;
+  options.stop = &stop_flag();
+  catch_interrupts();
+
+  BenchReport report = empty_report(command);
+  for (const auto& [scene, cpu_setup] : cases) {
+    if (stop_flag()) break;
+    report.cases.push_back(bench_case(scene, cpu_setup, options, progress));
+    const BenchCase& done = report.cases.back();
+    if (!quiet) warn(done.warnings);
+    if (command.common.json) continue;
+    if (report.cases.size() > 1) print_data("\n");
+    print_data(results_table(done, options.repetitions, options.threads, use_color(command.common.color)));
+  }
+  report.interrupted = stop_flag();
+  write_results(folder, report);
+  if (command.common.json) print_data(results_json(report));
+  if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
+  if (report.interrupted) return interrupted_exit_code;
+  return static_cast<int>(exit_code(report));
+}
+
+}  // namespace superstep

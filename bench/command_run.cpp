@@ -1,0 +1,99 @@
+/// superstep run: integrate a case with one or several methods and write the fields.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bench/commands.hpp"
+#include "bench/interrupt.hpp"
+#include "bench/loaded_case.hpp"
+#include "bench/output_folder.hpp"
+#include "bench/run_files.hpp"
+#include "bench/run_one.hpp"
+#include "bench/spec_settings.hpp"
+#include "core/error.hpp"
+
+namespace superstep {
+namespace {
+
+std::vector<std::string> specs_of(const RunCommand& command) {
+  std::vector<std::string> specs = command.integrators;
+  if (specs.empty()) specs = {"auto"};
+  if (command.tolerance)
+    for (auto& spec : specs) spec = with_tolerance(spec, *command.tolerance);
+  return specs;
+}
+
+// One folder for one SPEC, else one below it for each; equal names get a number.
+std::vector<std::string> folders_of(const std::string& out, const std::vector<std::string>& specs) {
+  if (specs.size() == 1) return {out};
+  std::vector<std::string> folders;
+  std::map<std::string, int> seen;
+  for (const auto& spec : specs) {
+    const std::string name = folder_name(spec);
+    const int count = ++seen[name];
+    folders.push_back(fmt::format("{}/{}{}", out, name, count > 1 ? fmt::format("-{}", count) : ""));
+  }
+  return folders;
+}
+
+struct FinishedRun {
+  RunResult result;
+  std::vector<double> final_state;
+};
+
+FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::string& spec,
+                      Progress& progress) {
+  FinishedRun run;
+  RunRequest request{.probes = &probes, .stop = &stop_flag(), .progress = &progress};
+  request.observe = [&](std::size_t output, double, std::span<const double> state) {
+    if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
+  };
+  progress.begin(spec, scene.t_end);
+  run.result = run_one(scene, spec, request);
+  progress.end();
+  return run;
+}
+
+std::string summary(const std::string& spec, const RunResult& run, const std::string& folder) {
+  if (!run.outcome.ok())
+    return fmt::format("{}: {}: {}\n", spec, status_name(run.outcome.status), run.outcome.reason);
+  const std::string choice = run.choice.empty() ? "" : fmt::format("  {}\n", run.choice);
+  return fmt::format("{}: ok, {} steps, {} sweeps, {:.3g} s CPU; {}\n{}", spec, run.statistics.steps,
+                     run.sweeps, run.cpu_prepare + run.cpu_stepping, folder, choice);
+}
+
+}  // namespace
+
+int execute(const RunCommand& command) {
+  check_specs(command.integrators);
+  const auto [scene, cpu_setup] = load_case(command.case_file);
+  const auto specs = specs_of(command);
+  const auto folders =
+      folders_of(command.out.empty() ? default_output_folder(scene.name) : command.out, specs);
+  for (const auto& folder : folders) require_writable_folder(folder);
+  const bool quiet = command.common.quiet;
+  if (!quiet) warn(scene.warnings);
+  catch_interrupts();
+
+  Progress progress(!quiet && stderr_is_terminal());
+  const ProbeSet probes(scene);
+  bool all_ok = true;
+  for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
+    const FinishedRun run = integrate(scene, probes, specs[k], progress);
+    RunRecord record = record_run(scene, specs[k], run.result);
+    record.cpu_setup = cpu_setup;
+    record.threads = command.common.threads;
+    const std::string json = write_run_files(folders[k], scene, probes, run.result, run.final_state, record);
+    if (command.common.json)
+      print_data(json);
+    else if (!quiet || !run.result.outcome.ok())
+      print_data(summary(specs[k], run.result, folders[k]));
+    all_ok = all_ok && run.result.outcome.ok();
+  }
+  if (stop_flag()) return interrupted_exit_code;
+  return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
+}
+
+}  // namespace superstep

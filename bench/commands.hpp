@@ -1,0 +1,86 @@
+#pragma once
+/// The commands of the program as plain structs: the command line fills them, `execute` carries them out.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/harness.hpp"
+#include "bench/terminal.hpp"
+#include "bench/work_precision.hpp"
+#include "packing/generate.hpp"
+
+namespace superstep {
+
+struct CommonOptions {
+  int threads = 1;
+  bool quiet = false;  ///< stderr carries errors only
+  bool json = false;   ///< stdout is machine-readable
+  ColorMode color = ColorMode::automatic;
+};
+
+struct RunCommand {
+  CommonOptions common;
+  std::string case_file;
+  std::vector<std::string> integrators;  ///< SPECs; empty = auto
+  std::optional<double> tolerance;       ///< replaces rtol of every SPEC
+  std::string out;                       ///< folder; empty = default_output_folder
+};
+
+struct BenchCommand {
+  CommonOptions common;
+  std::vector<std::string> case_files;
+  HarnessOptions harness;
+  std::string out;  ///< folder; empty = default_output_folder
+};
+
+/// superstep bench --work-precision
+struct WorkPrecisionCommand {
+  CommonOptions common;
+  std::vector<std::string> case_files;
+  WorkPrecisionOptions options;
+  std::string out;  ///< folder; empty = default_output_folder
+};
+
+struct InfoCommand {
+  CommonOptions common;
+  std::string case_file;
+};
+
+struct StabilityCommand {
+  CommonOptions common;
+  std::string case_file;
+  std::string out;     ///< folder for CSV files; empty = none are written
+  bool quick = false;  ///< coarser sets of parameters
+};
+
+struct PackCommand {
+  CommonOptions common;
+  PackSettings settings;
+  std::string file;
+};
+
+struct ListCommand {
+  CommonOptions common;
+};
+
+/// --help and --version.
+struct ShowText {
+  std::string text;
+};
+
+using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
+                             PackCommand, ListCommand, ShowText>;
+
+/// Each returns the exit code and throws `Error` for what the user has to mend.
+int execute(const RunCommand& command);
+int execute(const BenchCommand& command);
+int execute(const WorkPrecisionCommand& command);
+int execute(const InfoCommand& command);
+int execute(const StabilityCommand& command);
+int execute(const PackCommand& command);
+int execute(const ListCommand& command);
+int execute(const ShowText& command);
+
+}  // namespace superstep

@@ -1,0 +1,246 @@
+#include "bench/harness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "bench/machine.hpp"
+#include "bench/run_one.hpp"
+#include "bench/scene_facts.hpp"
+#include "bench/verification.hpp"
+#include "core/options.hpp"
+#include "core/stopwatch.hpp"
+
+namespace superstep {
+namespace {
+
+/// One method on its way through the benchmark.
+struct Contender {
+  BenchRow row;
+  Outcome outcome;
+  bool verified = false;
+  double time_per_sweep = 0;  ///< s
+  std::vector<double> cpu_total, cpu_stepping, wall_stepping;
+};
+
+class CaseBench {
+ public:
+  CaseBench(const Scene& scene, double cpu_setup, const HarnessOptions& options, Progress& progress)
+      : scene_(scene), cpu_setup_(cpu_setup), options_(options), progress_(progress), probes_(scene) {
+    for (const auto& spec : contenders(scene, options.integrators)) contenders_.push_back(enter(spec));
+  }
+
+  BenchCase run() {
+    BenchCase out = describe();
+    find_reference(out);
+    for (auto& contender : contenders_) verify_one(contender);
+    for (auto& contender : contenders_) warm_up(contender);
+    for (int round = 0; round < options_.repetitions; ++round) time_round(static_cast<std::size_t>(round));
+    finish(out);
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Contender enter(const std::string& spec) const;
+  [[nodiscard]] BenchCase describe() const;
+  void find_reference(BenchCase& out);
+  void verify_one(Contender& contender);
+  void warm_up(Contender& contender);
+  void time_round(std::size_t round);
+  void time_one(Contender& contender);
+  void compare_with_baseline();
+  void finish(BenchCase& out);
+  void fail(Contender& contender, const Outcome& outcome) const;
+  [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
+  [[nodiscard]] std::string position(const Contender& contender) const;
+
+  const Scene& scene_;
+  double cpu_setup_;
+  const HarnessOptions& options_;
+  Progress& progress_;
+  ProbeSet probes_;
+  std::optional<Reference> reference_;
+  std::vector<Contender> contenders_;
+};
+
+Contender CaseBench::enter(const std::string& spec) const {
+  const Spec parsed = parse_spec(spec);
+  Contender contender;
+  BenchRow& row = contender.row;
+  row.spec = spec;
+  row.case_name = scene_.name;
+  row.integrator = parsed.name;
+  row.params = parsed.parameters();
+  row.nodes = scene_.nodes();
+  row.contacts = scene_.fields.front().graph.edges();
+  row.t_end = scene_.t_end;
+  row.threads = options_.threads;
+  return contender;
+}
+
+BenchCase CaseBench::describe() const {
+  BenchCase out;
+  out.name = scene_.name;
+  out.title = scene_.title;
+  out.source = scene_.source;
+  out.baseline = scene_.bench.baseline;
+  out.nodes = scene_.nodes();
+  out.contacts = scene_.fields.front().graph.edges();
+  out.unknowns = scene_.rhs->size();
+  out.t_end = scene_.t_end;
+  out.output_times = scene_.output_times;
+  out.cpu_setup = cpu_setup_;
+  out.unit = scene_.rhs->fields()[main_field(*scene_.rhs)].unit;
+  out.warnings = scene_.warnings;
+  out.skips = skipped_work(scene_);
+  return out;
+}
+
+void CaseBench::find_reference(BenchCase& out) {
+  if (options_.reference == "none") return;
+  auto result =
+      obtain_reference(scene_, probes_, {options_.reference, options_.use_cache, options_.stop}, progress_);
+  out.warnings.insert(out.warnings.end(), result.warnings.begin(), result.warnings.end());
+  reference_ = std::move(result.reference);
+  if (reference_)
+    out.reference = ReferenceFacts{reference_->spec, reference_->from_cache, reference_->cpu_seconds};
+  else if (!stopped())
+    out.warnings.push_back(fmt::format("no errors are measured: the reference {} did not succeed: {}",
+                                       options_.reference, result.outcome.reason));
+}
+
+// "3 of 7 sts:n=20": which method is on.
+std::string CaseBench::position(const Contender& contender) const {
+  return fmt::format("{} of {} {}", &contender - contenders_.data() + 1, contenders_.size(),
+                     contender.row.spec);
+}
+
+void CaseBench::fail(Contender& contender, const Outcome& outcome) const {
+  contender.outcome = outcome;
+  contender.cpu_total.clear();
+}
+
+void CaseBench::verify_one(Contender& contender) {
+  if (stopped()) return;
+  progress_.begin("verifying " + position(contender), scene_.t_end);
+  auto result = verify(scene_, probes_, contender.row.spec, reference_ ? &*reference_ : nullptr,
+                       options_.stop, &progress_);
+  progress_.end();
+  if (result.outcome.status == Status::interrupted) return;
+  contender.verified = true;
+  contender.outcome = result.outcome;
+  if (!result.outcome.ok()) return;
+  const auto fields = scene_.rhs->fields();
+  contender.row.errors = result.errors[main_field(*scene_.rhs)];
+  for (std::size_t f = 0; fields.size() > 1 && f < fields.size(); ++f)
+    if (fields[f].name == "potential") contender.row.potential = result.errors[f];
+}
+
+// The warm-up is an ordinary run: nothing is tracked, so its counts and its memory are those of the timed
+// runs.
+void CaseBench::warm_up(Contender& contender) {
+  if (stopped() || !contender.verified || contender.outcome.status == Status::refused) return;
+  progress_.begin("warming up " + position(contender), scene_.t_end);
+  reset_peak_memory();
+  const RunResult run = run_one(scene_, contender.row.spec, {.stop = options_.stop, .progress = &progress_});
+  progress_.end();
+  if (run.outcome.status == Status::interrupted) return;
+  BenchRow& row = contender.row;
+  row.steps = run.statistics.steps;
+  row.rejected = run.statistics.rejected;
+  row.rhs = run.sweeps;
+  row.jacobians = run.jacobians;
+  row.factorizations = run.statistics.factorizations;
+  row.solves = run.statistics.solves;
+  row.max_stages = static_cast<std::uint64_t>(run.statistics.max_stages);
+  row.choice = run.choice;
+  row.peak_memory_mb = peak_memory_megabytes();
+  contender.time_per_sweep = run.statistics.time_per_sweep;
+  if (contender.outcome.ok() && !run.outcome.ok()) fail(contender, run.outcome);
+}
+
+void CaseBench::time_round(std::size_t round) {
+  for (const std::size_t k : round_order(contenders_.size(), round)) {
+    Contender& contender = contenders_[k];
+    if (stopped() || !contender.verified || !contender.outcome.ok()) continue;
+    progress_.begin_timed(
+        fmt::format("round {} of {}: {}", round + 1, options_.repetitions, position(contender)));
+    time_one(contender);
+    progress_.end();
+  }
+}
+
+void CaseBench::time_one(Contender& contender) {
+  const RunResult run = run_one(scene_, contender.row.spec, {.stop = options_.stop});
+  if (run.outcome.status == Status::interrupted) return;
+  if (!run.outcome.ok()) return fail(contender, run.outcome);
+  contender.cpu_total.push_back(cpu_setup_ + run.cpu_prepare + run.cpu_stepping);
+  contender.cpu_stepping.push_back(run.cpu_stepping);
+  contender.wall_stepping.push_back(run.wall_stepping);
+}
+
+Number quotient(double numerator, double denominator) {
+  return numerator > 0 && denominator > 0 ? Number(numerator / denominator) : std::nullopt;
+}
+
+void CaseBench::compare_with_baseline() {
+  const auto baseline = std::find_if(contenders_.begin(), contenders_.end(), [&](const Contender& contender) {
+    return contender.row.spec == scene_.bench.baseline;
+  });
+  if (baseline == contenders_.end() || !baseline->row.cpu_total) return;
+  for (auto& contender : contenders_) {
+    BenchRow& row = contender.row;
+    if (!row.cpu_total) continue;
+    row.speedup_total = quotient(baseline->row.cpu_total->median, row.cpu_total->median);
+    row.speedup_stepping = quotient(baseline->row.cpu_stepping->median, row.cpu_stepping->median);
+    row.speedup_theory = quotient(contender.time_per_sweep, baseline->time_per_sweep);
+  }
+}
+
+void CaseBench::finish(BenchCase& out) {
+  for (auto& contender : contenders_) {
+    BenchRow& row = contender.row;
+    row.status = status_name(contender.outcome.status);
+    row.reason = contender.outcome.reason;
+    row.repetitions = static_cast<int>(contender.cpu_total.size());
+    if (reference_) row.reference = reference_->spec;
+    if (contender.cpu_total.empty()) continue;
+    row.cpu_total = summarize(contender.cpu_total);
+    row.cpu_stepping = summarize(contender.cpu_stepping);
+    row.wall_stepping = summarize(contender.wall_stepping);
+  }
+  compare_with_baseline();
+  for (auto& contender : contenders_)
+    if (contender.verified) out.rows.push_back(std::move(contender.row));
+}
+
+}  // namespace
+
+std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked) {
+  std::vector<std::string> specs = asked.empty() ? scene.bench.integrators : asked;
+  if (std::find(specs.begin(), specs.end(), scene.bench.baseline) == specs.end())
+    specs.push_back(scene.bench.baseline);
+  return specs;
+}
+
+std::vector<std::size_t> round_order(std::size_t n, std::size_t round) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < n; ++k) order.push_back((k + round) % n);
+  return order;
+}
+
+Timing summarize(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const std::size_t n = seconds.size();
+  return {
+      .median = 0.5 * (seconds[(n - 1) / 2] + seconds[n / 2]), .min = seconds.front(), .max = seconds.back()};
+}
+
+BenchCase bench_case(const Scene& scene, double cpu_setup, const HarnessOptions& options,
+                     Progress& progress) {
+  return CaseBench(scene, cpu_setup, options, progress).run();
+}
+
+}  // namespace superstep

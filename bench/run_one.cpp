@@ -1,0 +1,105 @@
+#include "bench/run_one.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "core/stopwatch.hpp"
+#include "integrators/registry.hpp"
+
+namespace superstep {
+namespace {
+
+/// Adds the time between its construction and `stop` to a pair of sums.
+class Timer {
+ public:
+  Timer(double& cpu, double& wall) : cpu_(cpu), wall_(wall) {}
+  ~Timer() {
+    cpu_ += process_cpu_seconds() - cpu_begin_;
+    wall_ += wall_seconds() - wall_begin_;
+  }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double &cpu_, &wall_;
+  double wall_begin_ = wall_seconds(), cpu_begin_ = process_cpu_seconds();
+};
+
+Plan plan_of(const Scene& scene, const RunRequest& request, RunResult& result) {
+  Plan plan;
+  plan.output_times = scene.output_times;
+  for (const auto& field : scene.rhs->fields()) {
+    const auto& described = scene_field(scene, field.name);
+    plan.ranges.push_back({described.low, described.high});
+  }
+  plan.track_inflow = request.track_inflow;
+  plan.stop = request.stop;
+  if (request.probes && !request.probes->entries().empty()) {
+    plan.probes = request.probes->entries();
+    result.history = request.probes->history();
+    plan.history = &result.history;
+  }
+  return plan;
+}
+
+Outcome advance_over_outputs(const Scene& scene, Integrator& method, const RunRequest& request,
+                             RunResult& result) {
+  for (std::size_t k = 0; k < scene.output_times.size(); ++k) {
+    const double t = scene.output_times[k];
+    {
+      const Timer timer(result.cpu_stepping, result.wall_stepping);
+      if (Outcome outcome = method.advance(t); !outcome.ok()) return outcome;
+    }
+    if (request.progress) request.progress->reached(t);
+    if (request.observe) request.observe(k, t, method.state());
+  }
+  return {};
+}
+
+Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& request, RunResult& result) {
+  try {
+    const Plan plan = plan_of(scene, request, result);
+    {
+      const Timer timer(result.cpu_prepare, result.wall_prepare);
+      method.prepare(*scene.rhs, plan);
+    }
+    {
+      const Timer timer(result.cpu_stepping, result.wall_stepping);
+      method.start(plan.t_begin, scene.initial);
+    }
+    return advance_over_outputs(scene, method, request, result);
+  } catch (const Refused& refused) {
+    return {Status::refused, refused.what()};
+  } catch (const std::bad_alloc&) {
+    return {Status::failed, "out of memory"};
+  } catch (const std::exception& error) {
+    return {Status::failed, error.what()};
+  }
+}
+
+}  // namespace
+
+RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest& request) {
+  const auto method = make_integrator(spec);
+  RunResult result;
+  const RhsCounters before = scene.rhs->counters();
+  result.outcome = integrate(scene, *method, request, result);
+  const RhsCounters after = scene.rhs->counters();
+  result.sweeps = after.sweeps - before.sweeps;
+  result.jacobians = after.jacobians - before.jacobians;
+  result.statistics = method->statistics();
+  result.t_reached = method->time();
+  result.choice = method->choice();
+  return result;
+}
+
+const FieldScene& scene_field(const Scene& scene, const std::string& name) {
+  for (const auto& field : scene.fields)
+    if (field.name == name) return field;
+  throw std::logic_error(
+      fmt::format("the right-hand side has a field '{}' that the scene does not describe", name));
+}
+
+}  // namespace superstep

@@ -1,0 +1,138 @@
+#include "bench/work_precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/harness.hpp"
+#include "bench/metrics.hpp"
+#include "bench/probe_set.hpp"
+#include "bench/reference.hpp"
+#include "bench/run_one.hpp"
+#include "bench/scene_facts.hpp"
+#include "core/error.hpp"
+#include "integrators/registry.hpp"
+
+namespace superstep {
+namespace {
+
+/// Name and settings without the ones that the ladder steps through.
+std::string family_of(const Spec& spec) {
+  std::string family = spec.name;
+  for (const auto& [key, value] : spec.settings)
+    if (key != "rtol" && key != "step" && key != "fraction" && key != "n") family += " " + key + "=" + value;
+  return family;
+}
+
+std::string default_reference(const Scene& scene) {
+  const auto& traits = scene.rhs->traits();
+  return traits.linear && traits.symmetric && traits.autonomous ? "exponential:rtol=1e-15"
+                                                                : "cvode:rtol=1e-10";
+}
+
+class Sweep {
+ public:
+  Sweep(const Scene& scene, const WorkPrecisionOptions& options, Progress& progress)
+      : scene_(scene),
+        options_(options),
+        progress_(progress),
+        field_(scene.rhs->fields()[main_field(*scene.rhs)]) {}
+
+  WorkPrecision run() {
+    describe();
+    find_reference();
+    const auto specs = options_.integrators.empty() ? work_precision_specs() : options_.integrators;
+    for (const auto& spec : specs) enter(spec);
+    times_.resize(study_.points.size());
+    for (int round = 0; round < options_.repetitions; ++round)
+      for (const std::size_t k : round_order(study_.points.size(), static_cast<std::size_t>(round)))
+        if (!stopped()) measure(k, round == 0);
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      if (study_.points[k].ok() && !times_[k].empty()) study_.points[k].cpu = summarize(times_[k]);
+    std::erase_if(study_.points, [](const auto& point) { return point.status.empty(); });  // never started
+    return std::move(study_);
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
+
+  void describe() {
+    const FieldScene& described = scene_field(scene_, field_.name);
+    study_.case_name = scene_.name;
+    study_.title = scene_.title;
+    study_.unit = field_.unit;
+    study_.span = described.high - described.low;
+    study_.unknowns = scene_.rhs->size();
+    study_.repetitions = options_.repetitions;
+    study_.threads = options_.threads;
+    study_.output_times = scene_.output_times;
+  }
+
+  void find_reference() {
+    const ProbeSet probes(scene_);
+    const std::string spec = options_.reference.empty() ? default_reference(scene_) : options_.reference;
+    auto result = obtain_reference(scene_, probes, {spec, options_.use_cache, options_.stop}, progress_);
+    if (!result.reference)
+      throw NumericalError(fmt::format("the reference {} did not succeed: {}", spec, result.outcome.reason));
+    reference_ = std::move(*result.reference);
+    study_.reference = reference_.spec;
+    if (!reference_.error_bar.empty()) study_.reference_error = reference_.error_bar[main_field(*scene_.rhs)];
+  }
+
+  void enter(const std::string& spec) {
+    const Spec parsed = parse_spec(spec);
+    WorkPrecisionPoint point;
+    point.family = family_of(parsed);
+    point.spec = spec;
+    point.integrator = parsed.name;
+    point.params = parsed.parameters();
+    study_.points.push_back(std::move(point));
+  }
+
+  void measure(std::size_t k, bool first) {
+    WorkPrecisionPoint& point = study_.points[k];
+    if (!first && !point.ok()) return;
+    progress_.begin(fmt::format("{} of {} {}", k + 1, study_.points.size(), point.spec), scene_.t_end);
+    RunRequest request{.stop = options_.stop, .progress = &progress_};
+    std::vector<double> errors;
+    if (first)
+      request.observe = [&](std::size_t output, double, std::span<const double> state) {
+        errors.push_back(deviation(field_, state, reference_.states[output]).rms);
+      };
+    const RunResult run = run_one(scene_, point.spec, request);
+    progress_.end();
+    if (run.outcome.status == Status::interrupted) return;
+    point.status = status_name(run.outcome.status);
+    point.reason = run.outcome.reason;
+    point.sweeps = run.sweeps;
+    point.steps = run.statistics.steps;
+    if (!run.outcome.ok()) return;
+    times_[k].push_back(run.cpu_prepare + run.cpu_stepping);
+    if (!first) return;
+    point.error_rms = errors;
+    point.worst = *std::max_element(errors.begin(), errors.end());
+    point.worst_relative = study_.span > 0 ? point.worst / study_.span : point.worst;
+  }
+
+  const Scene& scene_;
+  const WorkPrecisionOptions& options_;
+  Progress& progress_;
+  FieldView field_;
+  Reference reference_;
+  WorkPrecision study_;
+  std::vector<std::vector<double>> times_;
+};
+
+}  // namespace
+
+std::vector<std::string> work_precision_specs() {
+  std::vector<std::string> specs;
+  for (const auto& entry : integrators()) specs.insert(specs.end(), entry.ladder.begin(), entry.ladder.end());
+  return specs;
+}
+
+WorkPrecision work_precision(const Scene& scene, const WorkPrecisionOptions& options, Progress& progress) {
+  return Sweep(scene, options, progress).run();
+}
+
+}  // namespace superstep

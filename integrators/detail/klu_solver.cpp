@@ -1,0 +1,79 @@
+#include <klu.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "integrators/detail/klu_ordering.hpp"
+#include "integrators/detail/shifted_solver.hpp"
+
+namespace superstep {
+namespace {
+
+class KluSolver final : public ShiftedSolver {
+ public:
+  explicit KluSolver(Rhs& rhs) : rhs_(rhs), ordering_("metis", rhs.pattern()) {
+    const auto& pattern = rhs.pattern();
+    column_begin_.assign(pattern.column_begin.begin(), pattern.column_begin.end());
+    row_.assign(pattern.row.begin(), pattern.row.end());
+    jacobian_.resize(row_.size());
+    matrix_.resize(row_.size());
+    klu_l_defaults(&common_);
+    ordering_.apply(common_);
+    symbolic_ =
+        klu_l_analyze(static_cast<SuiteSparse_long>(rhs.size()), column_begin_.data(), row_.data(), &common_);
+    if (!symbolic_) throw std::runtime_error("KLU cannot analyse the matrix: out of memory");
+  }
+  ~KluSolver() override {
+    klu_l_free_numeric(&numeric_, &common_);
+    klu_l_free_symbolic(&symbolic_, &common_);
+  }
+  KluSolver(const KluSolver&) = delete;
+  KluSolver& operator=(const KluSolver&) = delete;
+
+  bool set(double c, double t, std::span<const double> y) override {
+    const bool stands = jacobian_version_ == rhs_.values_version() && rhs_.traits().constant_jacobian;
+    if (!stands) {
+      rhs_.jacobian(t, y, jacobian_);
+      jacobian_version_ = rhs_.values_version();
+    }
+    if (stands && c == shift_) return true;
+    std::transform(jacobian_.begin(), jacobian_.end(), matrix_.begin(), [c](double j) { return -c * j; });
+    for (const auto k : rhs_.pattern().diagonal) matrix_[static_cast<std::size_t>(k)] += 1;
+    ++factorizations_;
+    shift_ = std::numeric_limits<double>::quiet_NaN();
+    // I - c J is diagonally dominant, so the pivots of the first factorization serve all the others.
+    const bool ok = numeric_ ? klu_l_refactor(column_begin_.data(), row_.data(), matrix_.data(), symbolic_,
+                                              numeric_, &common_) != 0
+                             : (numeric_ = klu_l_factor(column_begin_.data(), row_.data(), matrix_.data(),
+                                                        symbolic_, &common_)) != nullptr;
+    if (ok) shift_ = c;
+    return ok;
+  }
+
+  bool solve(std::span<const double> b, std::span<double> x, double /*tolerance*/) override {
+    std::copy(b.begin(), b.end(), x.begin());
+    ++solves_;
+    return klu_l_solve(symbolic_, numeric_, static_cast<SuiteSparse_long>(x.size()), 1, x.data(), &common_) !=
+           0;
+  }
+
+ private:
+  Rhs& rhs_;
+  KluOrdering ordering_;
+  std::vector<SuiteSparse_long> column_begin_, row_;
+  std::vector<double> jacobian_, matrix_;
+  std::uint64_t jacobian_version_ = 0;
+  double shift_ = std::numeric_limits<double>::quiet_NaN();
+  klu_l_common common_{};
+  klu_l_symbolic* symbolic_ = nullptr;
+  klu_l_numeric* numeric_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<ShiftedSolver> make_klu_solver(Rhs& rhs) {
+  return std::make_unique<KluSolver>(rhs);
+}
+
+}  // namespace superstep

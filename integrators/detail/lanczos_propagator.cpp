@@ -1,0 +1,146 @@
+#include "integrators/detail/lanczos_propagator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "integrators/detail/chebyshev_exponential.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr std::size_t most_vectors = 20'000;
+constexpr std::size_t first_check = 12;
+constexpr double check_growth = 1.15;
+
+}  // namespace
+
+TridiagonalResponse tridiagonal_response(std::span<const double> alpha, std::span<const double> beta,
+                                         double t, double tolerance) {
+  const std::size_t m = alpha.size();
+  double radius = 0;  // Gershgorin
+  for (std::size_t j = 0; j < m; ++j)
+    radius = std::max(radius, alpha[j] + (j > 0 ? beta[j - 1] : 0) + (j + 1 < m ? beta[j] : 0));
+  TridiagonalResponse out{std::vector<double>(m, 0.0), std::vector<double>(m, 0.0)};
+  if (!(radius > 0)) {
+    out.value[0] = t;
+    out.integral[0] = t * t / 2;
+    return out;
+  }
+  const auto c = exponential_coefficients(t * radius / 2, tolerance, true);
+  const auto d = integrated_coefficients(c);
+  // The affine Chebyshev recurrence of chebyshev_exponential.hpp on y' = e_1 - T y.
+  std::vector<double> before(m, 0.0), now(m, 0.0);
+  const auto derivative = [&](const std::vector<double>& y, std::size_t j) {
+    return (j == 0 ? 1.0 : 0.0) - alpha[j] * y[j] - (j > 0 ? beta[j - 1] * y[j - 1] : 0) -
+           (j + 1 < m ? beta[j] * y[j + 1] : 0);
+  };
+  now[0] = 2 / radius;
+  for (std::size_t k = 1; k < c.size(); ++k) {
+    for (std::size_t j = 0; j < m; ++j) {
+      out.value[j] += c[k] * now[j];
+      out.integral[j] += 2 / radius * d[k] * now[j];
+    }
+    for (std::size_t j = 0; j < m; ++j) before[j] = 2 * now[j] - before[j] + 4 / radius * derivative(now, j);
+    std::swap(before, now);
+  }
+  return out;
+}
+
+void LanczosPropagator::allocate(std::size_t /*outputs*/) {
+  for (auto* v : {&v_, &previous_, &w_}) v->resize(rhs().size());
+}
+
+double LanczosPropagator::dot(const std::vector<double>& a, const std::vector<double>& b) const {
+  const auto capacity = rhs().capacities();
+  return rhs().reduction().sum([&](std::size_t i) { return capacity[i] * a[i] * b[i]; });
+}
+
+void LanczosPropagator::begin() {
+  rhs()(now(), origin(), v_);
+  length_ = std::sqrt(dot(v_, v_));
+  if (length_ > 0)
+    for (double& entry : v_) entry /= length_;
+  std::fill(previous_.begin(), previous_.end(), 0.0);
+}
+
+bool LanczosPropagator::next_vector(std::size_t j) {
+  const double coupling = j > 0 ? beta_[j - 1] : 0;
+  rhs().linear_stage({.y1 = v_.data(), .a = 0, .d = -1, .y2 = previous_.data(), .b = -coupling}, w_);
+  if (j == alpha_.size()) alpha_.push_back(dot(v_, w_));
+  for (std::size_t i = 0; i < w_.size(); ++i) w_[i] -= alpha_[j] * v_[i];
+  if (j == beta_.size()) beta_.push_back(std::sqrt(dot(w_, w_)));
+  if (!(beta_[j] > 1e-14 * radius())) return false;
+  for (std::size_t i = 0; i < w_.size(); ++i) w_[i] /= beta_[j];
+  std::swap(previous_, v_);
+  std::swap(v_, w_);
+  return true;
+}
+
+double LanczosPropagator::allowed_error() const {
+  const auto capacity = rhs().capacities();
+  const double total = rhs().reduction().sum([&](std::size_t i) { return capacity[i]; });
+  double span = 0;
+  for (const auto& range : plan().ranges) span = std::max(span, range.span());
+  if (!(span > 0)) span = rhs().source_rate() * (plan().output_times.back() - plan().t_begin);
+  return rtol_ * span * std::sqrt(total);
+}
+
+/// The last components of the small solution bound what further vectors would add.
+bool LanczosPropagator::accurate(double elapsed) const {
+  const std::size_t m = alpha_.size();
+  const auto y = tridiagonal_response(alpha_, std::span(beta_).first(m - 1), elapsed, 1e-3 * rtol_).value;
+  double last = 0;
+  for (std::size_t j = m - std::min<std::size_t>(m, 4); j < m; ++j) last = std::max(last, std::abs(y[j]));
+  constexpr double safety = 0.1;
+  return length_ * last <= safety * allowed_error();
+}
+
+Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
+  if (radius() == 0) return no_exchange(outputs);
+  alpha_.clear();
+  beta_.clear();
+  begin();
+  double check_at = first_check;
+  for (bool more = length_ > 0; more;) {
+    more = next_vector(alpha_.size());
+    if (more && static_cast<double>(alpha_.size()) >= check_at) {
+      check_at *= check_growth;
+      more = !accurate(outputs.back().elapsed);
+    }
+    if (stop_requested()) return interrupted_at(now());
+    if (alpha_.size() >= most_vectors)
+      return {Status::failed,
+              fmt::format("Lanczos did not reach the tolerance in {} products; use basis=chebyshev",
+                          most_vectors)};
+  }
+  const std::size_t m = alpha_.size();
+  std::vector<TridiagonalResponse> responses;
+  const double inflow = rhs().inflow(now(), origin());
+  for (auto& output : outputs) {
+    if (m > 0)
+      responses.push_back(
+          tridiagonal_response(alpha_, std::span(beta_).first(m - 1), output.elapsed, 1e-3 * rtol_));
+    std::copy_n(origin().begin(), output.state.size(), output.state.begin());
+    for (std::size_t p = 0; p < plan().probes.size(); ++p) output.probes[p] = origin()[plan().probes[p]];
+    output.inflow = plan().track_inflow ? output.elapsed * inflow : 0;
+  }
+  begin();
+  for (std::size_t j = 0; j < m; ++j) {
+    const double inflow_change = plan().track_inflow ? rhs().linear_inflow(v_) : 0;
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+      const double factor = length_ * responses[k].value[j];
+      for (std::size_t p = 0; p < plan().probes.size(); ++p)
+        outputs[k].probes[p] += factor * v_[plan().probes[p]];
+      for (std::size_t i = 0; i < outputs[k].state.size(); ++i) outputs[k].state[i] += factor * v_[i];
+      if (plan().track_inflow) outputs[k].inflow += length_ * responses[k].integral[j] * inflow_change;
+    }
+    if (j + 1 < m) next_vector(j);
+  }
+  statistics_.max_stages = std::max(statistics_.max_stages, static_cast<int>(2 * m));
+  return {};
+}
+
+}  // namespace superstep

@@ -1,0 +1,61 @@
+#include "integrators/detail/run_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace superstep {
+
+void RunGuard::prepare(const Rhs& rhs, const Plan& plan) {
+  rhs_ = &rhs;
+  ranges_ = plan.ranges;
+  t_begin_ = plan.t_begin;
+  source_rate_ = rhs.source_rate();
+  stop_ = plan.stop;
+}
+
+Outcome RunGuard::check(double t, std::span<const double> y) const {
+  const auto fields = rhs_->fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const double widened = source_rate_ * (t - t_begin_);
+    const double low = ranges_[f].low - widened, high = ranges_[f].high + widened;
+    const double rounding = 1e-6 * std::max(std::abs(low), std::abs(high));
+    const double slack = (high - low) + rounding + std::numeric_limits<double>::min();
+    for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride) {
+      if (y[i] >= low - slack && y[i] <= high + slack) continue;  // false for NaN as well
+      return {Status::unstable,
+              fmt::format(
+                  "at t = {:.6g} s the {} of a node is {:.6g} {}, while initial and fixed values and sources "
+                  "allow {:.6g} to {:.6g}: errors grow; take a smaller step",
+                  t, fields[f].name, y[i], fields[f].unit, low, high)};
+    }
+  }
+  return {};
+}
+
+Outcome interrupted_at(double t) {
+  return {Status::interrupted, fmt::format("stopped on request at t = {:.6g} s", t)};
+}
+
+std::uint64_t steps_to_cover(double span, double step) noexcept {
+  if (!(span > 0)) return 0;
+  constexpr double rounding = 1e-12;
+  const double steps = std::ceil(span / step * (1 - rounding));
+  constexpr double largest = 1e18;
+  return static_cast<std::uint64_t>(std::clamp(steps, 1.0, largest));
+}
+
+void ProbeRecorder::prepare(const Plan& plan) {
+  history_ = plan.history;
+  probes_ = plan.probes;
+  values_.resize(probes_.size());
+}
+
+void ProbeRecorder::record(double t, std::span<const double> y) {
+  if (!history_) return;
+  for (std::size_t k = 0; k < probes_.size(); ++k) values_[k] = y[probes_[k]];
+  history_->append(t, values_);
+}
+
+}  // namespace superstep

@@ -1,0 +1,49 @@
+#pragma once
+/// Watches a run from outside its arithmetic: growth beyond what the physics allows, and the wish to stop.
+
+#include <span>
+
+#include "integrators/integrator.hpp"
+
+namespace superstep {
+
+/// A value that leaves the maximum principle's range (initial and fixed values, widened by what sources can
+/// add) by more than the range's own width is growth of errors, not physics.
+class RunGuard {
+ public:
+  void prepare(const Rhs& rhs, const Plan& plan);
+  /// Looks at the whole state; call it at output times and every `stride` steps.
+  [[nodiscard]] Outcome check(double t, std::span<const double> y) const;
+  [[nodiscard]] bool stop_requested() const noexcept {
+    return stop_ && stop_->load(std::memory_order_relaxed);
+  }
+
+  static constexpr unsigned stride = 64;
+
+ private:
+  const Rhs* rhs_ = nullptr;
+  std::vector<FieldRange> ranges_;
+  double t_begin_ = 0, source_rate_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
+};
+
+/// The outcome of a run that was asked to stop.
+[[nodiscard]] Outcome interrupted_at(double t);
+
+/// Number of equal steps of at most `step` that cover `span`; rounding in the quotient does not add a step.
+[[nodiscard]] std::uint64_t steps_to_cover(double span, double step) noexcept;
+
+/// Values of the plan's probes at a step end, handed to its history.
+class ProbeRecorder {
+ public:
+  void prepare(const Plan& plan);
+  [[nodiscard]] bool wanted() const noexcept { return history_ != nullptr; }
+  void record(double t, std::span<const double> y);
+
+ private:
+  std::vector<std::size_t> probes_;
+  std::vector<double> values_;
+  ProbeHistory* history_ = nullptr;
+};
+
+}  // namespace superstep

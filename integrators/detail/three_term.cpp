@@ -1,0 +1,71 @@
+#include "integrators/detail/three_term.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace superstep {
+
+void first_order_chebyshev(int stages, double w0, ThreeTermScheme& scheme) {
+  const auto s = static_cast<std::size_t>(stages);
+  scheme.stages = stages;
+  scheme.uses_first_derivative = false;
+  for (auto* v : {&scheme.m, &scheme.n, &scheme.mt, &scheme.gt, &scheme.c}) v->assign(s + 1, 0.0);
+  // T_j = cosh(j theta): T'_s/T_s = s tanh(s theta)/sinh(theta), with theta from w0 - 1 free of cancellation.
+  const double excess = w0 - 1, sinh_theta = std::sqrt(excess * (2 + excess)), theta = std::asinh(sinh_theta);
+  const double w1 = sinh_theta / (stages * std::tanh(stages * theta));
+  scheme.beta = (1 + w0) / w1;
+  double ratio = 1 / w0, earlier_ratio = 1;  // T_{j-1}/T_j and T_{j-2}/T_{j-1}
+  scheme.mt[1] = w1 / w0;
+  scheme.c[1] = scheme.mt[1];
+  for (std::size_t j = 2; j <= s; ++j) {
+    earlier_ratio = ratio;
+    ratio = 1 / (2 * w0 - earlier_ratio);
+    scheme.m[j] = 2 * w0 * ratio;
+    scheme.n[j] = -earlier_ratio * ratio;
+    scheme.mt[j] = 2 * w1 * ratio;
+    scheme.c[j] = scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] + scheme.mt[j];
+  }
+}
+
+void ThreeTermEngine::resize(std::size_t size) {
+  result_.resize(size);
+  previous_.resize(size);
+}
+
+void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
+                           std::span<const double> y0, std::span<const double> f0, double* inflow) {
+  const bool keeps_first = scheme.uses_first_derivative;
+  if (keeps_first) {
+    const double first = scheme.mt[1] * h;
+    for (std::size_t i = 0; i < y0.size(); ++i) result_[i] = y0[i] + first * f0[i];
+  } else {
+    rhs.stage(t, {.y1 = y0.data(), .a = 1, .d = scheme.mt[1] * h}, result_);
+  }
+  // The same recurrence on the scalar E' = inflow(t, y), started at 0.
+  const double inflow0 = inflow ? rhs.inflow(t, y0) : 0;
+  double entered = scheme.mt[1] * h * inflow0, entered_before = 0;
+
+  std::span<const double> before = y0;
+  for (std::size_t j = 2; j <= static_cast<std::size_t>(scheme.stages); ++j) {
+    const double time = t + scheme.c[j - 1] * h;
+    Stage stage{
+        .y1 = result_.data(), .a = scheme.m[j], .d = scheme.mt[j] * h, .y2 = before.data(), .b = scheme.n[j]};
+    if (keeps_first) {
+      stage.y0 = y0.data();
+      stage.c = 1 - scheme.m[j] - scheme.n[j];
+      stage.f0 = f0.data();
+      stage.e = scheme.gt[j] * h;
+    }
+    if (inflow) {
+      const double next = scheme.m[j] * entered + scheme.n[j] * entered_before +
+                          h * (scheme.mt[j] * rhs.inflow(time, result_) + scheme.gt[j] * inflow0);
+      entered_before = std::exchange(entered, next);
+    }
+    rhs.stage(time, stage, previous_);
+    std::swap(result_, previous_);
+    before = previous_;
+  }
+  if (inflow) *inflow += entered;
+}
+
+}  // namespace superstep

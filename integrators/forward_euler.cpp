@@ -1,0 +1,85 @@
+/// Forward Euler, the baseline: y_{n+1} = y_n + h f(t_n, y_n). Stable for h <= 2/lambda_max.
+/// Source: Rojek & Nisar 2026, eqs 13, 20-21, 27.
+
+#include <utility>
+
+#include "integrators/detail/critical_step.hpp"
+#include "integrators/detail/run_guard.hpp"
+#include "integrators/registry.hpp"
+
+namespace superstep {
+namespace {
+
+class ForwardEuler final : public Integrator {
+ public:
+  explicit ForwardEuler(const Options& options) : critical_step_(options) {}
+
+  void prepare(Rhs& rhs, const Plan& plan) override {
+    rhs_ = &rhs;
+    track_inflow_ = plan.track_inflow;
+    guard_.prepare(rhs, plan);
+    recorder_.prepare(plan);
+    state_.resize(rhs.size());
+    next_.resize(rhs.size());
+  }
+
+  void start(double t, std::span<const double> y) override {
+    t_ = t;
+    state_.assign(y.begin(), y.end());
+    step_ = critical_step_.resolve(*rhs_, t, state_);
+    statistics_ = {.max_stages = 1, .time_per_sweep = step_};
+  }
+
+  Outcome advance(double t_out) override {
+    const double t_in = t_;
+    const auto steps = steps_to_cover(t_out - t_in, step_);
+    for (std::uint64_t k = 1; k <= steps; ++k) {
+      const double t_next = k == steps ? t_out : t_in + static_cast<double>(k) * step_;
+      take_step(t_next);
+      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (k % RunGuard::stride != 0) continue;
+      if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
+    }
+    return guard_.check(t_, state_);
+  }
+
+  [[nodiscard]] double time() const noexcept override { return t_; }
+  [[nodiscard]] std::span<const double> state() const noexcept override { return state_; }
+  [[nodiscard]] const Statistics& statistics() const noexcept override { return statistics_; }
+
+ private:
+  void take_step(double t_next) {
+    const double h = t_next - t_;
+    if (track_inflow_) statistics_.inflow += h * rhs_->inflow(t_, state_);
+    rhs_->stage(t_, {.y1 = state_.data(), .a = 1, .d = h}, next_);
+    std::swap(state_, next_);
+    t_ = t_next;
+    ++statistics_.steps;
+    recorder_.record(t_, state_);
+  }
+
+  CriticalStep critical_step_;
+  Rhs* rhs_ = nullptr;
+  RunGuard guard_;
+  ProbeRecorder recorder_;
+  std::vector<double> state_, next_;
+  double t_ = 0, step_ = 0;
+  bool track_inflow_ = false;
+  Statistics statistics_;
+};
+
+}  // namespace
+
+IntegratorEntry forward_euler_entry() {
+  return {.name = "forward-euler",
+          .summary = "explicit Euler steps, the last one shortened to hit the output time",
+          .source = "Rojek & Nisar 2026, eqs 13, 20-21, 27",
+          .order = 1,
+          .adaptive = false,
+          .keys = critical_step_keys(),
+          .examples = {"forward-euler:fraction=0.5"},
+          .ladder = {"forward-euler:alpha=1", "forward-euler:fraction=1", "forward-euler:fraction=0.25"},
+          .make = [](const Options& options) { return std::make_unique<ForwardEuler>(options); }};
+}
+
+}  // namespace superstep

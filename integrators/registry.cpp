@@ -1,0 +1,69 @@
+#include "integrators/registry.hpp"
+
+#include "core/error.hpp"
+#include "core/suggest.hpp"
+
+// One line per method: its file in this folder defines `IntegratorEntry <name>_entry()`.
+#define SUPERSTEP_INTEGRATORS(method)                                                       \
+  method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(trapezoidal) \
+      method(exponential) method(cvode) method(automatic)
+
+namespace superstep {
+
+#define SUPERSTEP_DECLARE(method) IntegratorEntry method##_entry();
+SUPERSTEP_INTEGRATORS(SUPERSTEP_DECLARE)
+#undef SUPERSTEP_DECLARE
+
+std::span<const IntegratorEntry> integrators() {
+#define SUPERSTEP_ENTRY(method) method##_entry(),
+  static const std::vector<IntegratorEntry> table = {SUPERSTEP_INTEGRATORS(SUPERSTEP_ENTRY)};
+#undef SUPERSTEP_ENTRY
+  return table;
+}
+
+const IntegratorEntry& find_integrator(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& entry : integrators()) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw UsageError("unknown integrator '" + name + "'" + suggestion(name, names));
+}
+
+std::unique_ptr<Integrator> make_integrator(const std::string& spec) {
+  const Spec parsed = parse_spec(spec);
+  const auto& entry = find_integrator(parsed.name);
+  return entry.make(Options(parsed, entry.keys));
+}
+
+std::vector<std::string> rtol_ladder(const std::string& spec, int first, int last, int stride) {
+  const char* separator = spec.find(':') == std::string::npos ? ":" : ",";
+  std::vector<std::string> ladder;
+  for (int power = first; power <= last; power += stride)
+    ladder.push_back(spec + separator + "rtol=1e-" + std::to_string(power));
+  return ladder;
+}
+
+std::vector<std::string> joined(std::initializer_list<std::vector<std::string>> ladders) {
+  std::vector<std::string> out;
+  for (const auto& ladder : ladders) out.insert(out.end(), ladder.begin(), ladder.end());
+  return out;
+}
+
+const char* status_name(Status status) noexcept {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::unstable:
+      return "unstable";
+    case Status::failed:
+      return "failed";
+    case Status::refused:
+      return "refused";
+    case Status::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+}  // namespace superstep

@@ -1,0 +1,48 @@
+#pragma once
+/// The table of integrators: the program, the conformance tests and the reports read it, so a method that
+/// stands here is known everywhere.
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/options.hpp"
+#include "integrators/integrator.hpp"
+
+namespace superstep {
+
+/// One line of the registry.
+struct IntegratorEntry {
+  std::string name;
+  std::string summary;    ///< one line
+  std::string source;     ///< paper, equation, DOI
+  int order = 1;          ///< classical order in time; 0 = exact up to the requested tolerance
+  bool adaptive = false;  ///< takes rtol and controls its own step by default
+  std::vector<OptionKey> keys;
+  /// Specs that the conformance suite runs besides the bare name.
+  std::vector<std::string> examples;
+  /// SPECs of the work-precision sweep, from loose to tight; a point that is known to be unstable may stand
+  /// there.
+  std::vector<std::string> ladder;
+  std::function<std::unique_ptr<Integrator>(const Options&)> make;
+};
+
+/// `spec` with ",rtol=" or ":rtol=" 1e-first, ..., 1e-last appended: the usual ladder of an adaptive method.
+[[nodiscard]] std::vector<std::string> rtol_ladder(const std::string& spec, int first, int last,
+                                                   int stride = 1);
+/// Several ladders one after the other.
+[[nodiscard]] std::vector<std::string> joined(std::initializer_list<std::vector<std::string>> ladders);
+
+/// Every integrator, in the order of `superstep list`.
+[[nodiscard]] std::span<const IntegratorEntry> integrators();
+
+/// Entry of that name. Throws UsageError with the nearest name.
+[[nodiscard]] const IntegratorEntry& find_integrator(const std::string& name);
+
+/// Checks a SPEC completely and builds the method. Throws UsageError.
+[[nodiscard]] std::unique_ptr<Integrator> make_integrator(const std::string& spec);
+
+}  // namespace superstep

@@ -1,0 +1,23 @@
+/// Runge-Kutta-Chebyshev, damped Chebyshev polynomials.
+/// Source: Sommeijer, Shampine & Verwer (1998), doi:10.1016/S0377-0427(97)00219-7.
+
+#include "integrators/detail/stabilised.hpp"
+
+namespace superstep {
+
+IntegratorEntry rkc_entry() {
+  return {.name = "rkc",
+          .summary = "Runge-Kutta-Chebyshev, damped Chebyshev polynomials",
+          .source = "Sommeijer, Shampine & Verwer (1998), doi:10.1016/S0377-0427(97)00219-7",
+          .order = 2,
+          .adaptive = true,
+          .keys = stabilised_keys(true),
+          .examples = {"rkc:rtol=1e-6", "rkc:order=1,rtol=1e-3", "rkc:step=15"},
+          .ladder = joined({rtol_ladder("rkc", 1, 8), rtol_ladder("rkc:order=1", 1, 4)}),
+          .make = [](const Options& options) -> std::unique_ptr<Integrator> {
+            return std::make_unique<Stabilised>(
+                options.integer("order").value_or(2) == 1 ? rkc1_family() : rkc2_family(), options);
+          }};
+}
+
+}  // namespace superstep

@@ -1,0 +1,22 @@
+/// Runge-Kutta-Gegenbauer, strongly damped.
+/// Source: Skaras, Saxton, Meyer & Aslam (2021), doi:10.1016/j.jcp.2020.109879.
+
+#include "integrators/detail/stabilised.hpp"
+
+namespace superstep {
+
+IntegratorEntry rkg_entry() {
+  return {.name = "rkg",
+          .summary = "Runge-Kutta-Gegenbauer, strongly damped",
+          .source = "Skaras, Saxton, Meyer & Aslam (2021), doi:10.1016/j.jcp.2020.109879",
+          .order = 2,
+          .adaptive = true,
+          .keys = stabilised_keys(false),
+          .examples = {"rkg:rtol=1e-6", "rkg:step=15"},
+          .ladder = rtol_ladder("rkg", 1, 8),
+          .make = [](const Options& options) -> std::unique_ptr<Integrator> {
+            return std::make_unique<Stabilised>(rkg2_family(), options);
+          }};
+}
+
+}  // namespace superstep

@@ -1,0 +1,23 @@
+/// Runge-Kutta-Legendre, monotone without a damping parameter.
+/// Source: Meyer, Balsara & Aslam (2014), doi:10.1016/j.jcp.2013.08.021.
+
+#include "integrators/detail/stabilised.hpp"
+
+namespace superstep {
+
+IntegratorEntry rkl_entry() {
+  return {.name = "rkl",
+          .summary = "Runge-Kutta-Legendre, monotone without a damping parameter",
+          .source = "Meyer, Balsara & Aslam (2014), doi:10.1016/j.jcp.2013.08.021",
+          .order = 2,
+          .adaptive = true,
+          .keys = stabilised_keys(true),
+          .examples = {"rkl:rtol=1e-6", "rkl:order=1,rtol=1e-3", "rkl:step=15"},
+          .ladder = joined({rtol_ladder("rkl", 1, 8), rtol_ladder("rkl:order=1", 1, 4)}),
+          .make = [](const Options& options) -> std::unique_ptr<Integrator> {
+            return std::make_unique<Stabilised>(
+                options.integer("order").value_or(2) == 1 ? rkl1_family() : rkl2_family(), options);
+          }};
+}
+
+}  // namespace superstep

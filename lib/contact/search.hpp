@@ -1,0 +1,12 @@
+#pragma once
+/// Neighbour search in O(n) time and memory, for any spread of radii.
+
+#include "contact/contact.hpp"
+
+namespace superstep {
+
+/// All pairs with overlap > -gap (gap [m] >= 0: bonds that bridge a gap). `neck_radius` is left empty.
+/// Throws InputError when one sphere swallows another (names both ids and the way out).
+[[nodiscard]] Contacts find_contacts(const Packing& packing, double gap = 0.0);
+
+}  // namespace superstep

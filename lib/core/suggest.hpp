@@ -1,0 +1,16 @@
+#pragma once
+/// "Did you mean": the candidate closest to a mistyped name.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace superstep {
+
+/// Closest candidate by edit distance, or empty when none is near enough to be a slip of the pen.
+[[nodiscard]] std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+/// "; did you mean 'x'?" or, without a near candidate, "; valid are: a, b, c".
+[[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates);
+
+}  // namespace superstep

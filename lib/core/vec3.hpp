@@ -1,0 +1,28 @@
+#pragma once
+/// A point or direction in space.
+
+#include <cmath>
+
+namespace superstep {
+
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+};
+
+constexpr Vec3 operator+(Vec3 a, Vec3 b) noexcept {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vec3 operator-(Vec3 a, Vec3 b) noexcept {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vec3 operator*(double s, Vec3 a) noexcept {
+  return {s * a.x, s * a.y, s * a.z};
+}
+constexpr double dot(Vec3 a, Vec3 b) noexcept {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline double norm(Vec3 a) noexcept {
+  return std::sqrt(dot(a, a));
+}
+
+}  // namespace superstep

@@ -1,0 +1,149 @@
+#include "network/network.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "network/ordering.hpp"
+
+namespace superstep {
+namespace {
+
+struct Adjacency {
+  std::vector<std::int64_t> row_begin;
+  std::vector<std::int32_t> neighbour;
+  std::vector<double> conductance;
+};
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+std::size_t at(std::int64_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+/// Both directions of every edge between two rows, counted first so that nothing reallocates.
+Adjacency free_adjacency(const Graph& graph, const std::vector<std::int32_t>& row_of_node, std::size_t rows) {
+  Adjacency a;
+  a.row_begin.assign(rows + 1, 0);
+  const auto joins_rows = [&](std::size_t k) {
+    return graph.conductance[k] > 0 && row_of_node[at(graph.i[k])] >= 0 && row_of_node[at(graph.j[k])] >= 0;
+  };
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    if (!joins_rows(k)) continue;
+    ++a.row_begin[at(row_of_node[at(graph.i[k])]) + 1];
+    ++a.row_begin[at(row_of_node[at(graph.j[k])]) + 1];
+  }
+  std::partial_sum(a.row_begin.begin(), a.row_begin.end(), a.row_begin.begin());
+  a.neighbour.resize(at(a.row_begin.back()));
+  a.conductance.resize(a.neighbour.size());
+  std::vector<std::int64_t> next(a.row_begin.begin(), a.row_begin.end() - 1);
+  const auto put = [&](std::int32_t row, std::int32_t neighbour, double conductance) {
+    const auto k = at(next[at(row)]++);
+    a.neighbour[k] = neighbour;
+    a.conductance[k] = conductance;
+  };
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    if (!joins_rows(k)) continue;
+    const auto i = row_of_node[at(graph.i[k])], j = row_of_node[at(graph.j[k])];
+    put(i, j, graph.conductance[k]);
+    put(j, i, graph.conductance[k]);
+  }
+  return a;
+}
+
+/// Rows of `a` in a new order, columns renumbered and ascending.
+void permute_rows(const Adjacency& a, const std::vector<std::int32_t>& order, Network& network) {
+  std::vector<std::int32_t> new_row(order.size());
+  for (std::size_t row = 0; row < order.size(); ++row)
+    new_row[at(order[row])] = static_cast<std::int32_t>(row);
+  network.row_begin.assign(1, 0);
+  network.row_begin.reserve(order.size() + 1);
+  network.column.reserve(a.neighbour.size());
+  network.conductance.reserve(a.neighbour.size());
+  std::vector<std::pair<std::int32_t, double>> entries;
+  for (const auto old : order) {
+    entries.clear();
+    for (auto k = a.row_begin[at(old)]; k < a.row_begin[at(old) + 1]; ++k)
+      entries.emplace_back(new_row[at(a.neighbour[at(k)])], a.conductance[at(k)]);
+    std::sort(entries.begin(), entries.end());
+    for (const auto& [column, conductance] : entries) {
+      network.column.push_back(column);
+      network.conductance.push_back(conductance);
+    }
+    network.row_begin.push_back(static_cast<std::int64_t>(network.column.size()));
+  }
+}
+
+void add_ghosts(const Graph& graph, std::span<const NodeRole> roles, Network& network) {
+  std::vector<std::int32_t> ghost_of_node(graph.nodes(), -1);
+  const auto add = [&](std::int32_t free, std::int32_t fixed, double conductance) {
+    if (roles[at(free)] != NodeRole::free || roles[at(fixed)] != NodeRole::fixed || !(conductance > 0))
+      return;
+    auto& ghost = ghost_of_node[at(fixed)];
+    if (ghost < 0) {
+      ghost = static_cast<std::int32_t>(network.ghost_value.size());
+      network.ghost_value.push_back(graph.fixed_value[at(fixed)]);
+    }
+    network.ghost_edges.push_back({network.row_of_node[at(free)], ghost, conductance});
+  };
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    add(graph.i[k], graph.j[k], graph.conductance[k]);
+    add(graph.j[k], graph.i[k], graph.conductance[k]);
+  }
+  std::stable_sort(network.ghost_edges.begin(), network.ghost_edges.end(),
+                   [](const auto& a, const auto& b) { return a.row < b.row; });
+}
+
+}  // namespace
+
+Network build_network(const Graph& graph, std::span<const NodeRole> roles) {
+  std::vector<std::int32_t> free_nodes, row_of_node(graph.nodes(), -1);
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    if (roles[node] != NodeRole::free) continue;
+    row_of_node[node] = static_cast<std::int32_t>(free_nodes.size());
+    free_nodes.push_back(static_cast<std::int32_t>(node));
+  }
+  const Adjacency adjacency = free_adjacency(graph, row_of_node, free_nodes.size());
+  const auto order = reverse_cuthill_mckee(adjacency.row_begin, adjacency.neighbour);
+
+  Network network;
+  permute_rows(adjacency, order, network);
+  network.row_of_node = std::move(row_of_node);
+  for (const auto old : order) {
+    const auto node = free_nodes[at(old)];
+    network.row_of_node[at(node)] = static_cast<std::int32_t>(network.node_of_row.size());
+    network.node_of_row.push_back(node);
+    network.capacity.push_back(graph.capacity[at(node)]);
+    network.source.push_back(graph.source[at(node)]);
+  }
+  add_ghosts(graph, roles, network);
+  return network;
+}
+
+std::vector<double> Network::ghost_conductance() const {
+  std::vector<double> sums(size(), 0.0);
+  for (const auto& edge : ghost_edges) sums[at(edge.row)] += edge.conductance;
+  return sums;
+}
+
+std::vector<double> Network::total_conductance() const {
+  std::vector<double> sums = ghost_conductance();
+  for (std::size_t row = 0; row < size(); ++row)
+    for (auto k = row_begin[row]; k < row_begin[row + 1]; ++k) sums[row] += conductance[at(k)];
+  return sums;
+}
+
+double min_pair_step(const Graph& graph, std::span<const NodeRole> roles,
+                     std::span<const double> conductance) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    const auto i = at(graph.i[k]), j = at(graph.j[k]);
+    if (!(conductance[k] > 0) || (roles[i] != NodeRole::free && roles[j] != NodeRole::free)) continue;
+    const double equivalent = 2 / (1 / graph.capacity[i] + 1 / graph.capacity[j]);
+    smallest = std::min(smallest, equivalent / conductance[k]);
+  }
+  return smallest;
+}
+
+}  // namespace superstep

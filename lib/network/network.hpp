@@ -1,0 +1,55 @@
+#pragma once
+/// The network as integrators need it: free nodes only, ordered for locality, fixed values as ghosts.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "network/graph.hpp"
+
+namespace superstep {
+
+/// What becomes of a node of the graph.
+enum class NodeRole : char {
+  free,   ///< an unknown
+  fixed,  ///< a known value (Dirichlet): a ghost
+  idle,   ///< in a cluster in which nothing can change: keeps its initial value, costs nothing
+};
+
+/// Immutable symmetric network of n free nodes and g ghosts.
+///
+///   rows      row_begin[i] .. row_begin[i+1] hold the free neighbours of free node i
+///   ghosts    edges from a free node to a node with a fixed value, sorted by row
+struct Network {
+  struct GhostEdge {
+    std::int32_t row, ghost;
+    double conductance;  ///< W/K or S
+  };
+
+  std::vector<std::int64_t> row_begin;  ///< [n+1]
+  std::vector<std::int32_t> column;     ///< [nnz] free nodes, ascending in each row
+  std::vector<double> conductance;      ///< [nnz] W/K or S; entry (i,j) equals entry (j,i)
+  std::vector<GhostEdge> ghost_edges;
+  std::vector<double> ghost_value;        ///< [g] K or V
+  std::vector<double> capacity;           ///< [n] J/K or F
+  std::vector<double> source;             ///< [n] W or A
+  std::vector<std::int32_t> node_of_row;  ///< [n] position in the graph
+  std::vector<std::int32_t> row_of_node;  ///< [graph nodes] row, or -1 for nodes that are not free
+
+  [[nodiscard]] std::size_t size() const noexcept { return capacity.size(); }
+  [[nodiscard]] std::size_t nonzeros() const noexcept { return column.size(); }
+  /// Row sums of conductances [n]: all edges, and the part that leads to fixed nodes.
+  [[nodiscard]] std::vector<double> total_conductance() const;
+  [[nodiscard]] std::vector<double> ghost_conductance() const;
+};
+
+/// Eliminates fixed nodes, drops idle ones and edges of conductance 0, and reorders the rest. O(nodes + edges
+/// log).
+[[nodiscard]] Network build_network(const Graph& graph, std::span<const NodeRole> roles);
+
+/// Smallest pairwise step `min 2 C_i C_j / ((C_i + C_j) K_ij)` [s] over edges with a free end; infinity
+/// without edges. Not a stability bound. Source: Rojek & Nisar 2026, eqs 27-29.
+[[nodiscard]] double min_pair_step(const Graph& graph, std::span<const NodeRole> roles,
+                                   std::span<const double> conductance);
+
+}  // namespace superstep

@@ -1,0 +1,28 @@
+#include "packing/packing.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace superstep {
+
+Bounds surface_bounds(const Packing& packing) {
+  const auto corner = [&](std::size_t k, double sign) {
+    const double r = sign * packing.radius[k];
+    return packing.centre[k] + Vec3{r, r, r};
+  };
+  Bounds box{corner(0, -1.0), corner(0, 1.0)};
+  for (std::size_t k = 1; k < packing.size(); ++k) {
+    const Vec3 low = corner(k, -1.0), high = corner(k, 1.0);
+    box.min = {std::min(box.min.x, low.x), std::min(box.min.y, low.y), std::min(box.min.z, low.z)};
+    box.max = {std::max(box.max.x, high.x), std::max(box.max.y, high.y), std::max(box.max.z, high.z)};
+  }
+  return box;
+}
+
+double sphere_volume(const Packing& packing) {
+  double cubes = 0;
+  for (const double r : packing.radius) cubes += r * r * r;
+  return 4.0 / 3.0 * std::numbers::pi * cubes;
+}
+
+}  // namespace superstep

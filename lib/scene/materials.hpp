@@ -1,0 +1,52 @@
+#pragma once
+/// Material tables of a case: one `[material]`, or several `[[materials]]` with `[[interfaces]]` between
+/// them.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact/conductance.hpp"
+#include "core/toml.hpp"
+#include "packing/packing.hpp"
+
+namespace superstep {
+
+/// How one field conducts in one material.
+struct Conduction {
+  double conductivity = 0;  ///< W/(m K) or S/m, > 0
+  double capacity = 0;      ///< J/(kg K) or F/kg, > 0
+};
+
+/// One field's conduction in every material of the packing.
+struct FieldMaterials {
+  std::vector<Conduction> of_material;  ///< [materials]
+  Interface grain_boundary;             ///< between equal and unnamed pairs
+  std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, Interface>>
+      between;  ///< overrides, lower index first
+
+  [[nodiscard]] Interface interface(std::int32_t a, std::int32_t b) const;
+};
+
+/// The materials of a case, in the order of the packing's material names.
+class Materials {
+ public:
+  /// Reads `[material]` or `[[materials]]` and `[[interfaces]]`. Throws InputError.
+  Materials(TomlTable& root, const Packing& packing);
+
+  [[nodiscard]] double density(std::int32_t material) const {
+    return density_[static_cast<std::size_t>(material)];
+  }
+  /// Reads one field (`key` = "thermal" or "electric") from its table and from the materials.
+  ///   capacity_key  "specific_heat" or "specific_capacity"
+  [[nodiscard]] FieldMaterials field(const std::string& key, TomlTable& field_table,
+                                     const std::string& capacity_key);
+
+ private:
+  std::vector<std::string> names_;  ///< empty for one material
+  std::vector<TomlTable> tables_;   ///< [materials] of a case with several
+  std::vector<double> density_;     ///< kg/m^3
+  std::vector<TomlTable> interfaces_;
+};
+
+}  // namespace superstep

@@ -1,0 +1,27 @@
+#pragma once
+/// `[thermal]` and `[electric]` of a case: one field's graph on the particles.
+
+#include <string>
+
+#include "core/toml.hpp"
+#include "scene/materials.hpp"
+#include "scene/read_packing_scene.hpp"
+#include "scene/scene.hpp"
+
+namespace superstep {
+
+/// What tells the two fields apart.
+struct FieldKind {
+  std::string table;         ///< "thermal" | "electric"
+  std::string name, unit;    ///< "temperature", "K" | "potential", "V"
+  std::string capacity_key;  ///< "specific_heat" | "specific_capacity"
+};
+[[nodiscard]] const FieldKind& thermal_kind();
+[[nodiscard]] const FieldKind& electric_kind();
+
+/// Reads one field's table and builds its graph: capacities, conductances, initial and fixed values, sources.
+/// Throws InputError.
+[[nodiscard]] FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInput& input,
+                                    Materials& materials);
+
+}  // namespace superstep

@@ -1,0 +1,93 @@
+#pragma once
+/// A scene: everything that a case file says, ready to integrate.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "contact/neck.hpp"
+#include "network/network.hpp"
+#include "packing/packing.hpp"
+#include "rhs/rhs.hpp"
+
+namespace superstep {
+
+/// A node whose history is recorded: an entry of the state, or a constant (fixed and idle nodes).
+struct Probe {
+  std::string label;  ///< "mid-height" or the id
+  std::int64_t id = 0;
+  std::int32_t node = 0;  ///< position in the graph
+};
+
+/// Something that the scene does not need and therefore does not do.
+struct Skip {
+  std::string what, because;
+};
+
+/// Container of the packing, when the case states it: for relative density and effective conductivity.
+struct CaseContainer {
+  double cross_section = 0;  ///< m^2
+  double height = 0;         ///< m
+};
+
+/// The packing's side of a scene; absent for a network given directly.
+struct PackingScene {
+  Packing packing;
+  Contacts contacts;
+  std::string neck;
+  NeckReport neck_report;
+  std::optional<CaseContainer> container;
+};
+
+/// One field of the scene on the user's nodes.
+struct FieldScene {
+  std::string name;                       ///< "temperature" or "potential"
+  std::string unit;                       ///< "K" or "V"
+  Graph graph;                            ///< the user's nodes and edges
+  std::vector<double> conductivity;       ///< [materials] W/(m K) or S/m; empty for a network given directly
+  std::vector<NodeRole> roles;            ///< [nodes]
+  std::vector<double> bare;               ///< [edges] conductance from particle contributions only
+  std::vector<std::int32_t> row_of_node;  ///< [nodes] row in the field's network, -1 for fixed and idle nodes
+  std::size_t components = 0;             ///< connected components of the whole graph
+  std::size_t idle_clusters = 0;          ///< components in which nothing can change
+  std::size_t floating_clusters = 0;      ///< components without a fixed node that are integrated
+  double low = 0, high = 0;               ///< range of initial and fixed values
+};
+
+/// What `[bench]` asks for.
+struct BenchSettings {
+  std::string baseline = "forward-euler";
+  std::vector<std::string> integrators;
+};
+
+struct Scene {
+  std::string file, name;  ///< path of the case; its stem
+  std::string title, source;
+  double t_end = 0;                  ///< s
+  std::vector<double> output_times;  ///< s, ascending; the last is t_end
+  std::optional<PackingScene> packed;
+  std::vector<FieldScene> fields;
+  std::unique_ptr<Rhs> rhs;
+  std::vector<double> initial;  ///< [rhs->size()] state at t = 0
+  std::vector<Probe> probes;
+  BenchSettings bench;
+  std::map<std::string, double> published;  ///< figures of the source to print beside ours
+  std::vector<std::string> warnings;
+  std::vector<Skip> skips;
+
+  [[nodiscard]] std::size_t nodes() const noexcept { return fields.front().graph.nodes(); }
+  /// Values of one field on all nodes in the user's order [nodes]: computed, fixed and idle ones.
+  [[nodiscard]] std::vector<double> values_on_nodes(std::size_t field, std::span<const double> state) const;
+  /// Entry of the state that belongs to a node, or -1 when its value is fixed or idle.
+  [[nodiscard]] std::ptrdiff_t entry_of_node(std::size_t field, std::int32_t node) const;
+};
+
+/// Reads a case file and everything that it names, and builds the scene. Throws InputError.
+[[nodiscard]] Scene load_scene(const std::string& path);
+
+}  // namespace superstep

@@ -1,0 +1,17 @@
+#pragma once
+/// Selections of particles (`where = ...`) in a case file.
+
+#include <vector>
+
+#include "core/toml.hpp"
+#include "packing/packing.hpp"
+
+namespace superstep {
+
+/// Mask [particles] of a selection; lengths in the case are `unit` metres each. Throws InputError for an
+/// unknown form, an unknown id, or a selection that holds nobody.
+///   "all" | "top" | "bottom" | { ids = [...] } | { box = { min, max } } | { layer = { side, thickness } }
+///   | { sphere = { centre, radius } } | { cylinder = { base, axis, radius, height } }
+[[nodiscard]] std::vector<char> select_particles(const TomlValue& where, const Packing& packing, double unit);
+
+}  // namespace superstep

@@ -1,0 +1,45 @@
+#include "scene/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace superstep {
+namespace {
+
+void warn_outside(std::vector<std::string>& out, const char* what, double smallest, double largest,
+                  double low, double high, const char* unit) {
+  if (smallest < low)
+    out.push_back(fmt::format("smallest {} is {:.4g} {}; usual values lie between {:g} and {:g}", what,
+                              smallest, unit, low, high));
+  if (largest > high)
+    out.push_back(fmt::format("largest {} is {:.4g} {}; usual values lie between {:g} and {:g}", what,
+                              largest, unit, low, high));
+}
+
+}  // namespace
+
+std::vector<std::string> range_warnings(const Scene& scene) {
+  std::vector<std::string> out;
+  if (scene.packed) {
+    const auto& packed = *scene.packed;
+    const auto [smallest, largest] =
+        std::minmax_element(packed.packing.radius.begin(), packed.packing.radius.end());
+    warn_outside(out, "diameter", 2 * *smallest, 2 * *largest, 1e-7, 0.1, "m (is length_unit right?)");
+    const double particles = static_cast<double>(packed.packing.size());
+    const double coordination = 2 * static_cast<double>(packed.contacts.size()) / particles;
+    if (packed.packing.size() > 100)
+      warn_outside(out, "mean coordination", coordination, coordination, 3, 12, "");
+    if (packed.neck_report.limited > 0)
+      out.push_back(fmt::format("{} of {} necks were limited to the smaller radius",
+                                packed.neck_report.limited, packed.contacts.size()));
+  }
+  for (const auto& field : scene.fields)
+    if (field.floating_clusters > 0)
+      out.push_back(
+          fmt::format("{} clusters without a fixed {} are integrated; they keep their heat or charge",
+                      field.floating_clusters, field.name));
+  return out;
+}
+
+}  // namespace superstep

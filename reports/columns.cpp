@@ -1,0 +1,104 @@
+#include "reports/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace superstep {
+namespace {
+
+Cell number(const Number& value) {
+  return value && std::isfinite(*value) ? Cell(*value) : Cell();
+}
+Cell count(const std::optional<std::uint64_t>& value) {
+  return value ? Cell(*value) : Cell();
+}
+Cell count(std::size_t value) {
+  return static_cast<std::uint64_t>(value);
+}
+Cell count(int value) {
+  return static_cast<std::uint64_t>(value);
+}
+Cell median(const std::optional<Timing>& timing) {
+  return timing ? number(timing->median) : Cell();
+}
+
+struct ErrorColumn {
+  const char* name;
+  Number FieldErrors::*value;
+};
+
+// The measures that exist once per field, in the order of the contract; `reference` stands between the last
+// two.
+constexpr ErrorColumn error_columns[] = {
+    {"error_probe_mean", &FieldErrors::probe_mean},
+    {"error_rms", &FieldErrors::rms},
+    {"error_max", &FieldErrors::max},
+    {"error_relative_rms", &FieldErrors::relative_rms},
+    {"overshoot", &FieldErrors::overshoot},
+    {"balance", &FieldErrors::balance},
+    {"decay_rate", &FieldErrors::decay_rate},
+    {"decay_r2", &FieldErrors::decay_r2},
+};
+constexpr ErrorColumn reference_error_column = {"reference_error", &FieldErrors::reference_error};
+
+Column main_column(ErrorColumn column) {
+  return {column.name, [column](const BenchRow& row) { return number(row.errors.*column.value); }};
+}
+
+Column potential_column(ErrorColumn column) {
+  return {std::string(column.name) + "_potential", [column](const BenchRow& row) {
+            return row.potential ? number((*row.potential).*column.value) : Cell();
+          }};
+}
+
+bool any_twins(std::span<const BenchCase> cases) {
+  return std::any_of(cases.begin(), cases.end(), [](const BenchCase& one) {
+    return std::any_of(one.rows.begin(), one.rows.end(),
+                       [](const BenchRow& row) { return row.potential.has_value(); });
+  });
+}
+
+std::vector<Column> work_columns() {
+  using Row = const BenchRow&;
+  return {
+      {"case", [](Row row) { return row.case_name; }},
+      {"integrator", [](Row row) { return row.integrator; }},
+      {"params", [](Row row) { return row.params; }},
+      {"status", [](Row row) { return row.status; }},
+      {"reason", [](Row row) { return row.reason; }},
+      {"nodes", [](Row row) { return count(row.nodes); }},
+      {"contacts", [](Row row) { return count(row.contacts); }},
+      {"t_end", [](Row row) { return number(row.t_end); }},
+      {"repetitions", [](Row row) { return count(row.repetitions); }},
+      {"threads", [](Row row) { return count(row.threads); }},
+      {"cpu_total_s", [](Row row) { return median(row.cpu_total); }},
+      {"cpu_stepping_s", [](Row row) { return median(row.cpu_stepping); }},
+      {"wall_stepping_s", [](Row row) { return median(row.wall_stepping); }},
+      {"speedup_total", [](Row row) { return number(row.speedup_total); }},
+      {"speedup_stepping", [](Row row) { return number(row.speedup_stepping); }},
+      {"speedup_theory", [](Row row) { return number(row.speedup_theory); }},
+      {"steps", [](Row row) { return count(row.steps); }},
+      {"rejected", [](Row row) { return count(row.rejected); }},
+      {"rhs", [](Row row) { return count(row.rhs); }},
+      {"jacobians", [](Row row) { return count(row.jacobians); }},
+      {"factorizations", [](Row row) { return count(row.factorizations); }},
+      {"solves", [](Row row) { return count(row.solves); }},
+      {"max_stages", [](Row row) { return count(row.max_stages); }},
+      {"peak_memory_mb", [](Row row) { return number(row.peak_memory_mb); }},
+  };
+}
+
+}  // namespace
+
+std::vector<Column> bench_columns(std::span<const BenchCase> cases) {
+  std::vector<Column> columns = work_columns();
+  for (const auto& column : error_columns) columns.push_back(main_column(column));
+  columns.push_back({"reference", [](const BenchRow& row) { return row.reference; }});
+  columns.push_back(main_column(reference_error_column));
+  if (!any_twins(cases)) return columns;
+  for (const auto& column : error_columns) columns.push_back(potential_column(column));
+  columns.push_back(potential_column(reference_error_column));
+  return columns;
+}
+
+}  // namespace superstep

@@ -1,0 +1,25 @@
+#pragma once
+/// The columns of results.csv: a contract. CSV, JSON and whatever comes later read them from here.
+
+#include <functional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "reports/results.hpp"
+
+namespace superstep {
+
+/// Content of one cell; monostate = empty.
+using Cell = std::variant<std::monostate, std::string, std::uint64_t, double>;
+
+struct Column {
+  std::string name;
+  std::function<Cell(const BenchRow&)> cell;
+};
+
+/// Columns in their order; the `_potential` twins follow at the end when any row has two fields.
+[[nodiscard]] std::vector<Column> bench_columns(std::span<const BenchCase> cases);
+
+}  // namespace superstep

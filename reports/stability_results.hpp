@@ -1,0 +1,117 @@
+#pragma once
+/// What the stability laboratory finds out about a case, as plain data.
+///
+/// z = h * lambda: a step times a rate of the network, 0 for a uniform state, h * lambda_max for the stiffest
+/// mode. R(z): what one step makes of a mode; |R| > 1 means growth.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace superstep {
+
+/// One method with one parameter set: its stability function, and the same measured on the network.
+struct MethodStability {
+  std::string family;            ///< "sts", "rkc2", ...
+  std::string parameters;        ///< "n=10,nu=1e-3", "s=20", "phi=0.5"
+  std::string order;             ///< how STS carries out its substeps, else empty
+  std::string spec;              ///< as it was run
+  int stages = 1;                ///< sweeps in a step of an explicit method
+  double step = 0;               ///< s
+  double z_stiff = 0;            ///< step * lambda_max
+  std::optional<double> beta;    ///< declared end of stability in z; none = stable everywhere
+  std::optional<double> limit;   ///< z at which |R| first exceeds 1, found numerically
+  double largest = 0;            ///< max |R| over [0, z_stiff]
+  double damping = 0;            ///< max |R| over the stiffer half of [0, z_stiff]
+  double stiff = 0;              ///< R at z_stiff
+  double stiff_measured = 0;     ///< the same from the stiffest mode of the network
+  double difference = 0;         ///< worst |measured - R| over steps up to `step`
+  double tolerance = 0;          ///< that `difference` may have
+  double growth = 0;             ///< measured: factor per step of a rough perturbation, after several steps
+  std::optional<double> beyond;  ///< |R| at a step that is too long
+  std::optional<double> beyond_measured;  ///< growth per step of a rough perturbation there
+  bool agrees = false;                    ///< measured = theory
+};
+
+/// Notes of step estimates that verdicts look for.
+inline constexpr const char* certified_bound = "certified";
+inline constexpr const char* published_rule = "published rule";
+
+/// One estimate of forward Euler's critical step.
+struct StepEstimate {
+  std::string name;
+  double step = 0;              ///< s
+  std::optional<double> alpha;  ///< of the pairwise step without interface
+  double of_limit = 0;          ///< of the limit found by bisection
+  bool stable = false;          ///< outcome of an actual run at that step
+  std::string note;
+};
+
+struct CriticalStepStudy {
+  double limit = 0;  ///< s, by bisection; infinite when nothing limits the step
+  int runs = 0;
+  std::uint64_t steps_per_run = 0;
+  double lanczos_ratio = 0;  ///< (2/lambda_max) / limit
+  bool agrees = false;       ///< within 1 %
+  std::vector<StepEstimate> estimates;
+};
+
+/// Rounding of STS with one parameter set and order, on a chain with known modes.
+struct RoundingGrowth {
+  int n = 0;
+  double nu = 0;
+  std::string order;
+  double amplification = 0;    ///< largest partial product over the spectrum: what can become of one rounding
+  double superstep_error = 0;  ///< of one superstep against its polynomial, in units of machine epsilon
+  double rounding_error = 0;   ///< of a whole run against its polynomial, in spans
+  double end_error = 0;        ///< of the same run against the exact solution, in spans
+  bool right = false;          ///< rounding stays far below the span
+};
+
+/// How far values leave the range of initial and fixed values in the first steps of a method [spans].
+struct Overshoot {
+  std::string method;
+  double spans = 0;
+};
+
+/// One point of a sweep over random networks; the worst of several networks.
+struct SweepPoint {
+  std::string sweep;      ///< "contrast", "size ratio" or "nu"
+  double contrast = 1;    ///< largest/smallest conductance law constant
+  double size_ratio = 1;  ///< largest/smallest radius; capacities go with its cube
+  double nu = 0;          ///< of the STS runs
+  int n = 0;              ///< of the STS runs
+  std::size_t nodes = 0;
+  int networks = 0;
+  double edge_ratio = 0;              ///< certified edge bound / true spectral radius
+  double gershgorin_ratio = 0;        ///< Gershgorin / true spectral radius
+  double bound_ratio = 0;             ///< the smaller of both / true
+  double alpha = 0;                   ///< smallest true critical step / pairwise step
+  std::vector<Overshoot> overshoots;  ///< the same methods in the same order at every point
+};
+
+/// Where a method is safe and where not, in plain words.
+struct Verdict {
+  enum class Grade { safe, careful, unsafe };
+  std::string method;
+  Grade grade = Grade::safe;
+  std::string text;
+};
+[[nodiscard]] const char* grade_name(Verdict::Grade grade);
+
+struct StabilityResults {
+  std::string case_name, title;
+  bool quick = false;
+  std::size_t unknowns = 0;
+  double lambda_max = 0;       ///< 1/s
+  double lambda_residual = 0;  ///< 1/s
+  std::vector<MethodStability> methods;
+  CriticalStepStudy critical_step;
+  std::vector<RoundingGrowth> rounding;
+  std::vector<SweepPoint> sweeps;
+  std::vector<Verdict> verdicts;
+};
+
+}  // namespace superstep

@@ -1,0 +1,190 @@
+/// The program as a user meets it: exit codes, messages, files.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "temporary_case.hpp"
+
+namespace superstep {
+namespace {
+
+using test::CaseFolder;
+using test::Rod;
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override { write_rod(folder_, Rod{}); }
+
+  // Runs the program in the temporary folder; its exit code, with stdout and stderr beside it.
+  int run(const std::string& arguments, const std::string& before = "") {
+    const std::string command = fmt::format("cd '{}' && {} '{}' {} >stdout.txt 2>stderr.txt",
+                                            folder_.file("."), before, SUPERSTEP_PROGRAM, arguments);
+    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is what users have
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  [[nodiscard]] std::string out() const { return folder_.read("stdout.txt"); }
+  [[nodiscard]] std::string err() const { return folder_.read("stderr.txt"); }
+
+  // The contract of an error: that exit code, one line on stderr that holds `part`, nothing written.
+  void expect_error(const std::string& arguments, int code, const std::string& part) {
+    SCOPED_TRACE(arguments);
+    EXPECT_EQ(run(arguments), code) << err();
+    const std::string message = err();
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
+    EXPECT_TRUE(message.starts_with("superstep: error: ")) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_EQ(out(), "");
+    EXPECT_FALSE(folder_.has("superstep-out")) << "nothing may be written";
+    EXPECT_FALSE(folder_.has("result")) << "nothing may be written";
+  }
+
+  CaseFolder folder_;
+};
+
+TEST_F(Program, UsageErrorsExitWith2AndNameTheNearestChoice) {
+  expect_error("", 2, "a command is missing");
+  expect_error("benc rod.toml", 2, "did you mean 'bench'");
+  expect_error("bench rod.toml --repetitons 3", 2, "did you mean '--repetitions'");
+  expect_error("bench", 2, "a case file is missing");
+  expect_error("run rod.toml other.toml", 2, "unexpected argument");
+  expect_error("bench rod.toml --out", 2, "--out");
+}
+
+TEST_F(Program, NumbersOnTheCommandLineAreStrict) {
+  for (const std::string value : {"0", "-5", "1e2", "''", "3x", "99999999999999999999"})
+    expect_error("bench rod.toml --repetitions " + value, 2, "--repetitions");
+  expect_error("bench rod.toml --threads 1025", 2, "from 1 to 1024");
+  expect_error("run rod.toml --tolerance -1", 2, "--tolerance");
+  expect_error("run rod.toml --tolerance nan", 2, "--tolerance");
+  expect_error("list --color sometimes", 2, "--color");
+  expect_error("pack --height 1 --diameter 1 --sizes uniform:min=0.1,max=0.2 --seed -5 -o x.csv", 2,
+               "--seed");
+  expect_error("pack --height 1 --diameter 1 --sizes uniform:min=0.3,max=0.2 -o x.csv", 2, "min");
+  expect_error("pack --height 1 --diameter 1 --sizes unform:min=0.1,max=0.2 -o x.csv", 2,
+               "did you mean 'uniform'");
+  expect_error("pack --height 1 --sizes list:0.1,0.2 -o x.csv", 2, "--diameter");
+}
+
+TEST_F(Program, SpecsAreCheckedBeforeAnythingElse) {
+  expect_error("run rod.toml --integrator forward-eular --out result", 2, "did you mean 'forward-euler'");
+  expect_error("bench rod.toml --integrator sts:n=0 --out result", 2, "1 <= n");
+  expect_error("bench rod.toml --reference sts:n=five --out result", 2, "n");
+  expect_error("run rod.toml --integrator forward-euler --tolerance 1e-5 --out result", 2, "tolerance");
+}
+
+TEST_F(Program, BadInputExitsWith3AndNamesFileAndLine) {
+  expect_error("run missing.toml --out result", 3, "missing.toml");
+  folder_.write("bad.toml", "t_ende = 2\n" + folder_.read("rod.toml"));
+  expect_error("run bad.toml --out result", 3, "bad.toml:1");
+  folder_.write("broken.toml", "t_end = = 1\n");
+  expect_error("bench rod.toml broken.toml --out result", 3, "broken.toml:1");
+}
+
+TEST_F(Program, UnwritableOutputExitsWith7) {
+  folder_.write("file", "in the way");
+  expect_error("run rod.toml --out file", 7, "file");
+  expect_error("bench rod.toml --out file/below", 7, "file/below");
+  EXPECT_EQ(folder_.read("file"), "in the way");
+  EXPECT_EQ(run("list", R"(sh -c '"$0" "$@" >/dev/full')"), 7) << err();
+}
+
+TEST_F(Program, AnUnstableRunExitsWith4AndRecordsItsOutcome) {
+  EXPECT_EQ(run("run rod.toml --integrator forward-euler:step=0.7 --out result"), 4);
+  EXPECT_FALSE(folder_.has("result/final.csv"));
+  const auto json = nlohmann::json::parse(folder_.read("result/run.json"));
+  EXPECT_EQ(json.at("outcome").at("status"), "unstable");
+  EXPECT_NE(out().find("unstable"), std::string::npos);
+}
+
+TEST_F(Program, ABenchInWhichAllFailExitsWith4) {
+  Rod rod;
+  rod.bench = "baseline = \"forward-euler:step=0.7\"\nintegrators = [\"forward-euler:step=0.8\"]\n";
+  write_rod(folder_, rod, "hopeless");
+  EXPECT_EQ(run("bench hopeless.toml --out result"), 4);
+  EXPECT_TRUE(folder_.has("result/results.csv"));
+}
+
+TEST_F(Program, RunWritesItsFilesBesideTheCallerByDefault) {
+  ASSERT_EQ(run("run rod.toml"), 0) << err();
+  for (const char* name : {"final.csv", "probes.csv", "run.json"})
+    EXPECT_TRUE(folder_.has(std::string("superstep-out/rod/") + name)) << name;
+  EXPECT_NE(out().find("auto"), std::string::npos) << "auto is the default";
+}
+
+TEST_F(Program, SeveralIntegratorsGetAFolderEach) {
+  ASSERT_EQ(run("run rod.toml --integrator cvode --integrator sts:n=5 --tolerance 1e-5 --out result"), 2)
+      << "sts has no tolerance";
+  ASSERT_EQ(run("run rod.toml --integrator cvode --integrator sts:n=5 --out result"), 0) << err();
+  EXPECT_TRUE(folder_.has("result/cvode/final.csv"));
+  EXPECT_TRUE(folder_.has("result/sts_n=5/final.csv"));
+}
+
+TEST_F(Program, ToleranceReachesTheMethod) {
+  ASSERT_EQ(run("run rod.toml --integrator cvode:rtol=1e-2 --tolerance 1e-8 --json --out result"), 0)
+      << err();
+  EXPECT_EQ(nlohmann::json::parse(out()).at("params"), "rtol=1e-08");
+}
+
+TEST_F(Program, BenchPrintsATableAndWritesItsResults) {
+  ASSERT_EQ(run("bench rod.toml --repetitions 2 --out result"), 0) << err();
+  EXPECT_NE(out().find("forward-euler"), std::string::npos);
+  EXPECT_EQ(out().find('\033'), std::string::npos) << "no colours in a file";
+  const auto json = nlohmann::json::parse(folder_.read("result/results.json"));
+  EXPECT_EQ(json.at("cases").at(0).at("reference_from_cache"), false);
+  EXPECT_EQ(json.at("cases").at(0).at("rows").size(), 3U);
+  EXPECT_EQ(json.at("cases").at(0).at("rows").at(0).at("repetitions"), 2);
+  EXPECT_NE(err().find("result/results.csv"), std::string::npos);
+
+  ASSERT_EQ(run("bench rod.toml --repetitions 1 --out result --json --quiet"), 0) << err();
+  EXPECT_EQ(err(), "");
+  EXPECT_EQ(nlohmann::json::parse(out()).at("cases").at(0).at("reference_from_cache"), true);
+}
+
+TEST_F(Program, ColoursAreThereWhenAskedFor) {
+  ASSERT_EQ(run("list --color always"), 0);
+  EXPECT_NE(out().find('\033'), std::string::npos);
+  ASSERT_EQ(run("list"), 0);
+  EXPECT_EQ(out().find('\033'), std::string::npos);
+}
+
+TEST_F(Program, AnInterruptEndsCleanlyWith130) {
+  const std::string endless = "--integrator forward-euler:step=1e-8 --out result";
+  EXPECT_EQ(run("run rod.toml " + endless, "timeout --preserve-status --signal=INT 0.5"), 130) << err();
+  EXPECT_EQ(nlohmann::json::parse(folder_.read("result/run.json")).at("outcome").at("status"), "interrupted");
+  EXPECT_FALSE(folder_.has("result/final.csv"));
+  EXPECT_EQ(run("bench rod.toml --reference none " + endless, "timeout --preserve-status --signal=INT 0.5"),
+            130);
+  EXPECT_EQ(nlohmann::json::parse(folder_.read("result/results.json")).at("interrupted"), true);
+}
+
+TEST_F(Program, HelpShowsExamples) {
+  EXPECT_EQ(run("--help"), 0);
+  for (const std::string command : {"run", "bench", "info", "pack", "list"}) {
+    EXPECT_NE(folder_.read("stdout.txt").find(command), std::string::npos);
+  }
+  for (const std::string command : {"run", "bench", "info", "pack", "list"}) {
+    EXPECT_EQ(run(command + " --help"), 0);
+    EXPECT_NE(out().find("superstep " + command), std::string::npos) << out();
+  }
+  EXPECT_EQ(run("--version"), 0);
+  EXPECT_TRUE(out().starts_with("superstep 0."));
+}
+
+TEST_F(Program, ListNamesEveryIntegratorWithItsKeys) {
+  folder_.write("note.txt", "");
+  ASSERT_EQ(run("list --json"), 0);
+  const auto json = nlohmann::json::parse(out());
+  std::vector<std::string> names;
+  for (const auto& entry : json.at("integrators")) names.push_back(entry.at("name"));
+  EXPECT_NE(std::find(names.begin(), names.end(), "cvode"), names.end());
+  EXPECT_NE(std::find(names.begin(), names.end(), "sts"), names.end());
+  EXPECT_TRUE(json.at("cases").empty());
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,148 @@
+#include "bench/reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "bench/digest.hpp"
+#include "bench/reference_cache.hpp"
+#include "temporary_case.hpp"
+
+namespace superstep {
+namespace {
+
+using test::CaseFolder;
+using test::Rod;
+
+std::string key_of(const Scene& scene) {
+  Digest digest;
+  add_scene(digest, scene);
+  return digest.text();
+}
+
+TEST(Digest, MatchesThePublishedVectors) {
+  EXPECT_EQ(Digest().text(), "6c62272e07bb014262b821756295c58d");
+  EXPECT_EQ(Digest().add_bytes("a", 1).text(), "d228cb696f1a8caf78912b704e4a8964");
+  EXPECT_EQ(Digest().add_bytes("foobar", 6).text(), "343e1662793c64bf6f0d3597ba446f18");
+}
+
+TEST(Digest, DependsOnNumbersAndNotOnNames) {
+  const CaseFolder folder;
+  const std::string key = key_of(load_scene(write_rod(folder, Rod{})));
+  Rod renamed, stiffer, longer;
+  renamed.title = "another title";
+  renamed.bench = "baseline = \"cvode\"\n";
+  stiffer.conductance = 1 + 1e-15;
+  longer.head = "t_end = 100\noutput_times = [10, 51, 100]\nprobe = 10\n";
+  EXPECT_EQ(key_of(load_scene(write_rod(folder, renamed, "renamed"))), key);
+  EXPECT_NE(key_of(load_scene(write_rod(folder, stiffer, "stiffer"))), key);
+  EXPECT_NE(key_of(load_scene(write_rod(folder, longer, "longer"))), key);
+}
+
+class CachedReferenceTest : public testing::Test {
+ protected:
+  ReferenceResult obtain(const std::string& spec = "cvode:rtol=1e-8", bool use_cache = true) {
+    return obtain_reference(scene_, probes_, {.spec = spec, .use_cache = use_cache}, silent_);
+  }
+  [[nodiscard]] std::string cached_file() const {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.cache()))
+      return entry.path().string();
+    return {};
+  }
+  // The next reference must be integrated anew, equal the first one, and repair the file.
+  void expect_recomputed(const Reference& first) {
+    const auto again = obtain();
+    ASSERT_TRUE(again.reference);
+    EXPECT_FALSE(again.reference->from_cache);
+    EXPECT_EQ(again.reference->states, first.states);
+    EXPECT_TRUE(obtain().reference->from_cache);
+  }
+
+  CaseFolder folder_;
+  Scene scene_ = load_scene(write_rod(folder_, Rod{}));
+  ProbeSet probes_{scene_};
+  Progress silent_{false};
+};
+
+TEST_F(CachedReferenceTest, TheSecondTimeCostsNoIntegration) {
+  const auto first = obtain();
+  ASSERT_TRUE(first.reference) << first.outcome.reason;
+  EXPECT_FALSE(first.reference->from_cache);
+  EXPECT_GT(first.reference->cpu_seconds, 0);
+
+  const auto sweeps = scene_.rhs->counters().sweeps;
+  const auto second = obtain();
+  ASSERT_TRUE(second.reference);
+  EXPECT_TRUE(second.reference->from_cache);
+  EXPECT_EQ(second.reference->cpu_seconds, 0);
+  EXPECT_LE(scene_.rhs->counters().sweeps - sweeps, 2U)
+      << "the key takes two sweeps, an integration many more";
+  EXPECT_EQ(second.reference->states, first.reference->states);
+  EXPECT_EQ(second.reference->error_bar, first.reference->error_bar);
+  EXPECT_EQ(second.reference->history.size(), first.reference->history.size());
+  EXPECT_EQ(second.reference->history.at(33.3, 0), first.reference->history.at(33.3, 0));
+}
+
+TEST_F(CachedReferenceTest, AnotherSpecIsAnotherReference) {
+  (void)obtain();
+  const auto other = obtain("cvode:rtol=1e-7");
+  EXPECT_FALSE(other.reference->from_cache);
+  EXPECT_EQ(other.reference->spec, "cvode:rtol=1e-7");
+}
+
+TEST_F(CachedReferenceTest, WithoutCacheNothingIsReadOrWritten) {
+  (void)obtain("cvode:rtol=1e-8", false);
+  EXPECT_FALSE(std::filesystem::exists(folder_.cache()));
+  (void)obtain();
+  EXPECT_FALSE(obtain("cvode:rtol=1e-8", false).reference->from_cache);
+}
+
+TEST_F(CachedReferenceTest, ADamagedFileIsIgnoredAndRewritten) {
+  const auto first = obtain();
+  {
+    std::fstream file(cached_file(), std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(200);
+    file.put('\x55');
+  }
+  expect_recomputed(*first.reference);
+}
+
+TEST_F(CachedReferenceTest, ATruncatedFileIsIgnoredAndRewritten) {
+  const auto first = obtain();
+  std::filesystem::resize_file(cached_file(), 100);
+  expect_recomputed(*first.reference);
+}
+
+TEST_F(CachedReferenceTest, AForeignFileIsIgnoredAndRewritten) {
+  const auto first = obtain();
+  std::ofstream(cached_file(), std::ios::trunc) << "not ours";
+  expect_recomputed(*first.reference);
+}
+
+TEST_F(CachedReferenceTest, AnUnwritableCacheIsAWarning) {
+  folder_.write("cache", "a file where the folder should be");
+  const auto result = obtain();
+  EXPECT_TRUE(result.reference);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_NE(result.warnings[0].find("not cached"), std::string::npos);
+}
+
+TEST_F(CachedReferenceTest, TheExponentialGivesALinearSceneItsErrorBar) {
+  const auto result = obtain("forward-euler:step=0.1");
+  ASSERT_TRUE(result.reference);
+  ASSERT_EQ(result.reference->error_bar.size(), 1u);
+  const auto finer = obtain("forward-euler:step=0.05");
+  EXPECT_NEAR(finer.reference->error_bar[0] / result.reference->error_bar[0], 0.5, 0.05);  // its own, first-order error
+  EXPECT_TRUE(obtain("forward-euler:step=0.1").reference->from_cache);
+}
+
+TEST_F(CachedReferenceTest, AFailingReferenceSaysWhyAndIsNotCached) {
+  const auto result = obtain("forward-euler:step=0.7");
+  EXPECT_FALSE(result.reference);
+  EXPECT_EQ(result.outcome.status, Status::unstable);
+  EXPECT_FALSE(std::filesystem::exists(folder_.cache()));
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+
+#include "bench/loaded_case.hpp"
+#include "bench/run_files.hpp"
+#include "bench/run_one.hpp"
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "temporary_case.hpp"
+
+namespace superstep {
+namespace {
+
+using test::CaseFolder;
+using test::Rod;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (LineReader reader(text); reader.next();) lines.emplace_back(reader.line());
+  return lines;
+}
+
+class RodRun : public testing::Test {
+ protected:
+  RunResult run(const std::string& spec, const std::atomic<bool>* stop = nullptr) {
+    RunRequest request{.probes = &probes_, .stop = stop};
+    request.observe = [&](std::size_t, double t, std::span<const double> state) {
+      times_.push_back(t);
+      last_.assign(state.begin(), state.end());
+    };
+    return run_one(scene_, spec, request);
+  }
+
+  CaseFolder folder_;
+  Scene scene_ = load_scene(write_rod(folder_, Rod{}));
+  ProbeSet probes_{scene_};
+  std::vector<double> times_, last_;
+};
+
+TEST_F(RodRun, VisitsEveryOutputTimeExactlyAndCountsItsWork) {
+  const RunResult result = run("forward-euler:step=0.25");
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  EXPECT_EQ(times_, scene_.output_times);
+  EXPECT_EQ(result.statistics.steps, 400U);
+  EXPECT_EQ(result.sweeps, 400U);
+  EXPECT_EQ(result.t_reached, 100);
+  EXPECT_EQ(result.history.size(), 401U) << "the initial state and every step end";
+  EXPECT_EQ(result.history.time(0), 0);
+}
+
+TEST_F(RodRun, CountsOneRunAtATime) {
+  (void)run("forward-euler:step=0.25");
+  EXPECT_EQ(run("forward-euler:step=0.25").sweeps, 400U);
+}
+
+TEST_F(RodRun, FailureIsAnOutcome) {
+  EXPECT_EQ(run("forward-euler:step=0.7").outcome.status, Status::unstable);
+  EXPECT_THROW((void)run("forward-euler:stepp=0.7"), UsageError);
+}
+
+TEST_F(RodRun, StopsWhenAsked) {
+  const std::atomic<bool> stop{true};
+  const RunResult result = run("forward-euler:step=0.25", &stop);
+  EXPECT_EQ(result.outcome.status, Status::interrupted);
+  EXPECT_LT(result.t_reached, 100);
+}
+
+TEST_F(RodRun, FinalCsvHoldsEveryNodeInTheUsersOrder) {
+  (void)run("forward-euler");
+  const auto lines = lines_of(final_csv(scene_, last_));
+  ASSERT_EQ(lines.size(), 21U);
+  EXPECT_EQ(lines[0], "id,temperature");
+  EXPECT_EQ(lines[1], "1,0");
+  EXPECT_EQ(lines[20], "20,10");
+  EXPECT_TRUE(lines[10].starts_with("10,"));
+}
+
+TEST_F(RodRun, ProbesCsvRunsFromTheInitialStateToTheEnd) {
+  for (const std::string spec : {"forward-euler:step=0.25", "cvode:rtol=1e-4"}) {
+    SCOPED_TRACE(spec);
+    const RunResult result = run(spec);
+    const auto lines = lines_of(probes_csv(probes_, result.history, scene_.t_end));
+    EXPECT_EQ(lines[0], "time,temperature_10");
+    EXPECT_EQ(lines[1], "0,0");
+    EXPECT_TRUE(lines.back().starts_with("100,")) << lines.back();
+  }
+}
+
+TEST_F(RodRun, ANumberInTheCsvReadsBackAsItself) {
+  const RunResult result = run("forward-euler:step=0.25");
+  const auto lines = lines_of(probes_csv(probes_, result.history, scene_.t_end));
+  const std::string cell = lines.back().substr(lines.back().find(',') + 1);
+  EXPECT_EQ(std::stod(cell), result.history.value(result.history.size() - 1, 0));
+}
+
+TEST(ProbesCsv, AProbeOnAFixedNodeIsConstant) {
+  const CaseFolder folder;
+  Rod rod;
+  rod.head = "t_end = 10\nprobe = [20, 2]\n";
+  const Scene scene = load_scene(write_rod(folder, rod));
+  const ProbeSet probes(scene);
+  const RunResult result = run_one(scene, "forward-euler", {.probes = &probes});
+  const auto lines = lines_of(probes_csv(probes, result.history, scene.t_end));
+  EXPECT_EQ(lines[0], "time,temperature_20,temperature_2");
+  EXPECT_TRUE(lines[1].starts_with("0,10,0"));
+  EXPECT_TRUE(lines.back().starts_with("10,10,"));
+}
+
+TEST_F(RodRun, WritesItsFilesAndRemovesStaleOnes) {
+  const std::string out = folder_.file("out");
+  const RunResult good = run("forward-euler");
+  write_run_files(out, scene_, probes_, good, last_, record_run(scene_, "forward-euler", good));
+  EXPECT_TRUE(folder_.has("out/final.csv") && folder_.has("out/probes.csv") && folder_.has("out/run.json"));
+  const auto json = nlohmann::json::parse(folder_.read("out/run.json"));
+  EXPECT_EQ(json.at("outcome").at("status"), "ok");
+  EXPECT_EQ(json.at("counts").at("steps"), good.statistics.steps);
+  EXPECT_EQ(json.at("files"), (std::vector<std::string>{"final.csv", "probes.csv", "run.json"}));
+
+  const RunResult bad = run("forward-euler:step=0.7");
+  write_run_files(out, scene_, probes_, bad, last_, record_run(scene_, "forward-euler:step=0.7", bad));
+  EXPECT_FALSE(folder_.has("out/final.csv") || folder_.has("out/probes.csv"));
+  EXPECT_EQ(nlohmann::json::parse(folder_.read("out/run.json")).at("outcome").at("status"), "unstable");
+}
+
+TEST(LoadedCase, ABadSpecInACaseIsTheFilesFault) {
+  const CaseFolder folder;
+  Rod rod;
+  rod.bench = "integrators = [\"forward-euler:stepp=1\"]\n";
+  const std::string file = write_rod(folder, rod);
+  try {
+    (void)load_case(file);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(file), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("'step'"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,88 @@
+#include "bench/verification.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "temporary_case.hpp"
+
+namespace superstep {
+namespace {
+
+using test::CaseFolder;
+using test::Rod;
+
+void append(ProbeHistory& history, double t, double value) {
+  history.append(t, std::array{value});
+}
+
+TEST(ProbeErrors, AreTakenAtTheMethodsOwnStepEnds) {
+  ProbeHistory reference(1), run(1);
+  for (const double t : {0.0, 1.0, 2.0, 3.0, 4.0})
+    append(reference, t, 8 - 2 * t);  // linear between, ends at 0
+  append(run, 0, 8);
+  append(run, 0.5, 7.5);   // reference 7
+  append(run, 1.5, 4);     // reference 5
+  append(run, 3.5, 1.25);  // reference 1
+  append(run, 4, 3);       // reference at its final value: not part of the transient
+  append(run, 9, 77);      // a step beyond the end
+  FieldErrors errors;
+  measure_probe_errors(run, reference, 0, 4, errors);
+  EXPECT_DOUBLE_EQ(errors.probe_mean.value(), (0.5 + 1 + 0.25) / 3);
+  EXPECT_TRUE(errors.decay_rate);
+}
+
+class RodVerification : public testing::Test {
+ protected:
+  Verification of(const std::string& spec) {
+    return verify(scene_, probes_, spec, &reference_, nullptr, nullptr);
+  }
+
+  CaseFolder folder_;
+  Scene scene_ = load_scene(write_rod(folder_, Rod{}));
+  ProbeSet probes_{scene_};
+  Progress silent_{false};
+  Reference reference_ = obtain_reference(scene_, probes_, {}, silent_).reference.value();
+};
+
+TEST_F(RodVerification, TheReferenceHasNoErrorAgainstItself) {
+  const auto result = of("cvode:rtol=1e-9");
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  EXPECT_EQ(result.errors[0].rms, 0);
+  EXPECT_EQ(result.errors[0].probe_mean, 0);
+  EXPECT_GT(result.errors[0].reference_error.value(), 0);
+  EXPECT_LT(result.errors[0].reference_error.value(), 1e-5);  // of 10 K at rtol 1e-8
+}
+
+TEST_F(RodVerification, ForwardEulerErrorsAreProportionalToTheStep) {
+  const auto coarse = of("forward-euler:step=0.2").errors[0], fine = of("forward-euler:step=0.1").errors[0];
+  EXPECT_NEAR(*coarse.rms / *fine.rms, 2, 0.1);  // first order; 5 % for terms of higher order
+  EXPECT_NEAR(*coarse.probe_mean / *fine.probe_mean, 2, 0.1);
+  EXPECT_GE(*coarse.max, *coarse.rms);
+  EXPECT_DOUBLE_EQ(*coarse.relative_rms, *coarse.rms / 10);
+}
+
+TEST_F(RodVerification, HeatIsBalancedAndStaysInRange) {
+  const auto errors = of("forward-euler:step=0.2").errors[0];
+  EXPECT_NEAR(errors.balance.value(), 0, 1e-12);  // rounding of some 500 steps
+  EXPECT_EQ(errors.overshoot, 0);
+}
+
+TEST_F(RodVerification, AnUnstableRunHasAReasonAndNoErrors) {
+  const auto result = of("forward-euler:step=0.7");
+  EXPECT_EQ(result.outcome.status, Status::unstable);
+  EXPECT_FALSE(result.outcome.reason.empty());
+  EXPECT_TRUE(result.errors.empty());
+}
+
+TEST_F(RodVerification, WithoutAReferenceOvershootAndBalanceRemain) {
+  const auto result = verify(scene_, probes_, "forward-euler", nullptr, nullptr, nullptr);
+  ASSERT_TRUE(result.outcome.ok());
+  EXPECT_FALSE(result.errors[0].rms);
+  EXPECT_FALSE(result.errors[0].probe_mean);
+  EXPECT_TRUE(result.errors[0].overshoot);
+  EXPECT_TRUE(result.errors[0].balance);
+}
+
+}  // namespace
+}  // namespace superstep

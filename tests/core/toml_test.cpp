@@ -1,0 +1,60 @@
+#include "core/toml.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+TEST(Toml, ReadsTypedValues) {
+  auto root = TomlTable::parse_text("a = 1\nb = [1.5, 2]\n[c]\nd = 'x'\n", "case.toml");
+  EXPECT_EQ(root.number("a"), 1.0);
+  EXPECT_EQ(root.find("b")->numbers(), (std::vector<double>{1.5, 2}));
+  EXPECT_EQ(root.table("c")->string("d"), "x");
+  EXPECT_NO_THROW(root.finish());
+}
+
+TEST(Toml, UnknownKeyNamesLineAndNearest) {
+  auto root = TomlTable::parse_text("t_end = 1\n\n[thermal]\nconductivty = 3\n", "case.toml");
+  static_cast<void>(root.number("t_end"));
+  auto thermal = root.table("thermal");
+  static_cast<void>(thermal->find("conductivity"));
+  const auto message = test::message_of<InputError>([&] { root.finish(); });
+  EXPECT_NE(message.find("case.toml:4"), std::string::npos) << message;
+  EXPECT_NE(message.find("did you mean 'conductivity'"), std::string::npos) << message;
+}
+
+TEST(Toml, WrongTypesAndNonFiniteNumbersAreErrors) {
+  auto root = TomlTable::parse_text("a = 'x'\nb = nan\nc = inf\nd = 1.5\n", "case.toml");
+  EXPECT_NE(test::message_of<InputError>([&] { static_cast<void>(root.number("a")); }).find("case.toml:1"),
+            std::string::npos);
+  EXPECT_THROW(static_cast<void>(root.number("b")), InputError);
+  EXPECT_THROW(static_cast<void>(root.number("c")), InputError);
+  EXPECT_THROW(static_cast<void>(root.find("d")->integer()), InputError);
+  EXPECT_THROW(static_cast<void>(root.find("d")->table()), InputError);
+}
+
+TEST(Toml, HostileTextIsOneCleanError) {
+  const std::string deep(5000, '[');
+  for (const std::string& text : {std::string("[&"), std::string("a = 1\n[=a]"), std::string("a = "),
+                                  std::string("\xff\xfe"), "a = " + deep, std::string("a = 1\na = 2"),
+                                  std::string("a = {b"), std::string("[a]]"), std::string("a = 1979-")}) {
+    const auto message =
+        test::message_of<InputError>([&] { static_cast<void>(TomlTable::parse_text(text, "case.toml")); });
+    EXPECT_EQ(message.rfind("case.toml:", 0), 0u) << text.substr(0, 20) << " -> " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+  const auto second_line = test::message_of<InputError>(
+      [] { static_cast<void>(TomlTable::parse_text("a = 1\n[=a]\n", "case.toml")); });
+  EXPECT_EQ(second_line.rfind("case.toml:2:", 0), 0u) << second_line;
+}
+
+TEST(Toml, TooLargeAFileIsRefused) {
+  const std::string text(5u << 20, ' ');
+  EXPECT_THROW(static_cast<void>(TomlTable::parse_text(text, "case.toml")), InputError);
+}
+
+}  // namespace
+}  // namespace superstep

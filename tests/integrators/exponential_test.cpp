@@ -1,0 +1,153 @@
+/// The exponential: coefficients against Bessel functions, accuracy down to rounding, probes without states.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "integrators/detail/chebyshev_exponential.hpp"
+#include "integrators/detail/lanczos_propagator.hpp"
+#include "integrators/registry.hpp"
+#include "support/problem.hpp"
+
+namespace superstep {
+namespace {
+
+using test::max_difference;
+using test::Problem;
+using test::random_graph;
+using test::run;
+
+TEST(ExponentialCoefficients, AreScaledBesselFunctions) {
+  for (const double z : {1e-3, 0.5, 5.0, 80.0, 600.0}) {
+    const auto c = exponential_coefficients(z, 1e-16, false);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      const double expected = (k == 0 ? 1 : 2) * std::cyl_bessel_i(static_cast<double>(k), z) * std::exp(-z);
+      EXPECT_NEAR(c[k], expected, 1e-13) << z << ' ' << k;
+    }
+  }
+}
+
+TEST(ExponentialCoefficients, ReproduceTheExponentialUpToTheirTolerance) {
+  for (const double z : {0.1, 3.0, 1e3, 1e5})
+    for (const double tolerance : {1e-2, 1e-6, 1e-12}) {
+      const auto c = exponential_coefficients(z, tolerance, false);
+      EXPECT_NEAR(std::accumulate(c.begin(), c.end(), 0.0), 1, 1e-12);
+      for (const double x : {-1.0, -0.3, 0.0, 0.9, 0.9999, 1.0}) {
+        double sum = 0;
+        const double angle = std::acos(x);
+        for (std::size_t k = 0; k < c.size(); ++k) sum += c[k] * std::cos(static_cast<double>(k) * angle);
+        EXPECT_NEAR(sum, std::exp(-z * (1 - x)), 2 * tolerance + 1e-13) << z << ' ' << tolerance << ' ' << x;
+      }
+    }
+}
+
+TEST(TridiagonalResponse, SolvesASmallSystem) {
+  const double alpha[] = {2.0, 3.0}, beta[] = {0.5};
+  const auto response = tridiagonal_response(alpha, beta, 0.7, 1e-15);
+  // y' = e_1 - T y by many small Runge-Kutta steps
+  double a = 0, b = 0;
+  constexpr int steps = 20'000;
+  const double h = 0.7 / steps;
+  for (int k = 0; k < steps; ++k) {
+    const auto da = [](double p, double q) { return 1 - 2 * p - 0.5 * q; };
+    const auto db = [](double p, double q) { return -0.5 * p - 3 * q; };
+    const double ma = a + h / 2 * da(a, b), mb = b + h / 2 * db(a, b);
+    a += h * da(ma, mb);
+    b += h * db(ma, mb);
+  }
+  EXPECT_NEAR(response.value[0], a, 1e-9);
+  EXPECT_NEAR(response.value[1], b, 1e-9);
+}
+
+TEST(Exponential, DeliversItsToleranceDownToRounding) {
+  for (const char* basis : {"chebyshev", "lanczos"})
+    for (const double rtol : {1e-2, 1e-5, 1e-9, 1e-14}) {
+      Problem problem(random_graph({.nodes = 150, .seed = 4, .contrast = 1e3, .fixed = 3, .sources = true}));
+      const auto result =
+          run(fmt::format("exponential:basis={},rtol={}", basis, rtol), problem, {0.01, 0.5, 4.0});
+      ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double t = std::vector{0.01, 0.5, 4.0}[k];
+        EXPECT_LT(test::rms_difference(result.states[k], problem.exact(t)), 3 * rtol + 1e-13)
+            << basis << ' ' << rtol;
+      }
+    }
+}
+
+TEST(Exponential, ManyOutputsCostLittleMoreThanTheLast) {
+  Problem problem(test::chain(200, 0.0, 1.0));
+  const auto one = run("exponential", problem, {8000});
+  const auto eight = run("exponential", problem, {1000, 2000, 3000, 4000, 5000, 6000, 7000, 8000});
+  EXPECT_EQ(one.sweeps, eight.sweeps);
+  EXPECT_LT(max_difference(eight.states.back(), one.states.back()), 1e-12);
+  const auto twenty = run("exponential", problem, [] {
+    std::vector<double> times;
+    for (int k = 1; k <= 20; ++k) times.push_back(400.0 * k);
+    return times;
+  }());
+  EXPECT_LT(max_difference(twenty.states.back(), one.states.back()),
+            1e-7);  // three batches, each to its tolerance
+}
+
+TEST(Exponential, ProbesNeedNoStates) {
+  Problem problem(test::chain(200, 0.0, 1.0));
+  ProbeHistory history(2);
+  Plan plan = problem.plan({100, 5000});
+  plan.full_states = false;
+  plan.probes = {3, 77};
+  plan.history = &history;
+  for (const char* spec : {"exponential:rtol=1e-12", "exponential:basis=lanczos,rtol=1e-12"}) {
+    history.clear();
+    const auto integrator = make_integrator(spec);
+    integrator->prepare(*problem.rhs, plan);
+    integrator->start(0, problem.initial);
+    for (const double t : plan.output_times) {
+      ASSERT_TRUE(integrator->advance(t).ok());
+      const auto exact = problem.exact(t);
+      EXPECT_NEAR(history.value(history.size() - 1, 0), exact[3], 1e-11) << spec;
+      EXPECT_NEAR(history.value(history.size() - 1, 1), exact[77], 1e-11) << spec;
+    }
+  }
+}
+
+TEST(Automatic, DeliversTheToleranceAndSaysWhy) {
+  for (const double rtol : {1e-2, 1e-4, 1e-7}) {
+    Problem problem(random_graph({.nodes = 100, .seed = 8, .contrast = 1e3, .sources = true}));
+    const auto integrator = make_integrator(fmt::format("auto:rtol={}", rtol));
+    integrator->prepare(*problem.rhs, problem.plan({0.1, 1.0}));
+    integrator->start(0, problem.initial);
+    for (const double t : {0.1, 1.0}) {
+      ASSERT_TRUE(integrator->advance(t).ok());
+      const auto state = integrator->state();
+      EXPECT_LT(test::rms_difference({state.begin(), state.end()}, problem.exact(t)), rtol)
+          << integrator->choice();
+    }
+    EXPECT_NE(integrator->choice().find("sweeps"), std::string::npos);
+  }
+}
+
+TEST(Automatic, TurnsToFactorizationWhenSweepsWouldBeTooMany) {
+  Graph graph = test::chain(100, 0.0, 1.0);
+  graph.conductance[50] = 1e12;  // one contact twelve decades stiffer than the rest
+  Problem problem(graph);
+  const auto integrator = make_integrator("auto:rtol=1e-4");
+  integrator->prepare(*problem.rhs, problem.plan({1000}));
+  integrator->start(0, problem.initial);
+  ASSERT_TRUE(integrator->advance(1000).ok());
+  EXPECT_EQ(integrator->choice().rfind("cvode", 0), 0u) << integrator->choice();
+}
+
+TEST(AutomaticSuperstep, StaysNearItsTolerance) {
+  for (const double rtol : {3e-2, 3e-3}) {
+    Problem problem(test::chain(200, 0.0, 1.0));
+    const auto result = run(fmt::format("sts:n=auto,rtol={}", rtol), problem, {2000, 10000});
+    ASSERT_TRUE(result.outcome.ok());
+    EXPECT_LT(test::rms_difference(result.states[0], problem.exact(2000)), rtol);
+    EXPECT_LT(test::rms_difference(result.states[1], problem.exact(10000)), rtol);
+  }
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,67 @@
+/// Order in time of methods with a fixed step; error against rtol of adaptive ones.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "integrators/registry.hpp"
+#include "support/problem.hpp"
+
+namespace superstep {
+namespace {
+
+using test::Problem;
+using test::random_graph;
+using test::rms_difference;
+using test::run;
+
+struct FixedStep {
+  std::string spec;  ///< with {} for the step
+  int order;
+  double largest_step;
+};
+
+class StepHalving : public ::testing::TestWithParam<FixedStep> {};
+
+INSTANTIATE_TEST_SUITE_P(Methods, StepHalving,
+                         ::testing::Values(FixedStep{"forward-euler:step={}", 1, 0.01},
+                                           FixedStep{"sts:n=4,nu=0.05,step={}", 1, 0.002},
+                                           FixedStep{"sts:n=7,nu=1e-3,order=leja,step={}", 1, 0.001},
+                                           FixedStep{"sts:n=3,nu=0.2,order=natural,step={}", 1, 0.002}));
+
+TEST_P(StepHalving, ReachesItsDeclaredOrder) {
+  Problem problem(random_graph({.nodes = 25, .seed = 7, .contrast = 4, .sources = true}));
+  const auto exact = problem.exact(1.0);
+  std::vector<double> errors;
+  for (int level = 0; level < 4; ++level) {
+    const double step = GetParam().largest_step / (1 << level);
+    const auto result = run(fmt::format(fmt::runtime(GetParam().spec), step), problem, {1.0});
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+    errors.push_back(rms_difference(result.states.back(), exact));
+  }
+  ASSERT_GT(errors.back(),
+            1e3 * std::numeric_limits<double>::epsilon());  // below, the slope is rounding noise
+  EXPECT_NEAR(std::log2(errors[2] / errors[3]), GetParam().order, 0.15);
+}
+
+TEST(Tolerance, ErrorOfAdaptiveMethodsFallsWithIt) {
+  for (const auto& entry : integrators()) {
+    if (!entry.adaptive) continue;
+    Problem problem(random_graph({.nodes = 40, .seed = 17, .contrast = 100, .sources = true}));
+    const auto exact = problem.exact(0.5);
+    double previous = std::numeric_limits<double>::infinity();
+    for (const double rtol : {1e-3, 1e-5, 1e-7}) {
+      const auto result = run(fmt::format("{}:rtol={}", entry.name, rtol), problem, {0.5});
+      ASSERT_TRUE(result.outcome.ok()) << entry.name << ": " << result.outcome.reason;
+      const double error = rms_difference(result.states.back(), exact);
+      EXPECT_LT(error, 30 * rtol) << entry.name;  // local control: the global error may be some times larger
+      EXPECT_LT(error, 0.5 * previous) << entry.name;
+      previous = std::max(error, 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,153 @@
+#include "network/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/error.hpp"
+#include "network/components.hpp"
+#include "network/ordering.hpp"
+#include "network/spd_solver.hpp"
+#include "support/problem.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+using test::chain;
+using test::plain_roles;
+using test::random_graph;
+
+TEST(Network, HoldsEveryEdgeOnceInEachDirection) {
+  const Graph graph = random_graph({.nodes = 60, .seed = 3, .fixed = 3});
+  const Network network = build_network(graph, plain_roles(graph));
+  std::set<std::tuple<std::int64_t, std::int64_t, double>> expected, found;
+  std::size_t ghosts = 0;
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    const auto i = static_cast<std::size_t>(graph.i[k]), j = static_cast<std::size_t>(graph.j[k]);
+    if (!graph.is_fixed[i] && !graph.is_fixed[j]) {
+      expected.insert({graph.id[i], graph.id[j], graph.conductance[k]});
+      expected.insert({graph.id[j], graph.id[i], graph.conductance[k]});
+    } else if (graph.is_fixed[i] != graph.is_fixed[j]) {
+      ++ghosts;
+    }
+  }
+  for (std::size_t row = 0; row < network.size(); ++row)
+    for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k) {
+      const auto node = static_cast<std::size_t>(network.node_of_row[row]);
+      const auto other = network.column[static_cast<std::size_t>(k)];
+      const auto neighbour = static_cast<std::size_t>(network.node_of_row[static_cast<std::size_t>(other)]);
+      found.insert({graph.id[node], graph.id[neighbour], network.conductance[static_cast<std::size_t>(k)]});
+    }
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(network.ghost_edges.size(), ghosts);
+  EXPECT_EQ(network.size(), graph.nodes() - 3);
+}
+
+TEST(Network, PairStepIsTheSmallestOverEdgesWithAFreeEnd) {
+  Graph graph = chain(4, 0.0, 1.0);
+  graph.capacity = {1, 2, 4, 1};
+  const auto roles = plain_roles(graph);
+  // edges: (1,2) -> 4/3, (2,4) -> 8/3, (4,1) -> 8/5
+  EXPECT_DOUBLE_EQ(min_pair_step(graph, roles, graph.conductance), 4.0 / 3.0);
+  EXPECT_EQ(min_pair_step(chain(1), plain_roles(chain(1)), {}), std::numeric_limits<double>::infinity());
+}
+
+TEST(Network, DropsIdleNodesAndZeroEdges) {
+  Graph graph = chain(4);
+  graph.conductance[1] = 0;
+  const std::vector<NodeRole> roles = {NodeRole::free, NodeRole::free, NodeRole::idle, NodeRole::idle};
+  const Network network = build_network(graph, roles);
+  EXPECT_EQ(network.size(), 2u);
+  EXPECT_EQ(network.nonzeros(), 2u);
+  EXPECT_EQ(network.row_of_node[2], -1);
+}
+
+TEST(Components, CountsByConductingEdges) {
+  Graph graph = chain(5);
+  graph.conductance[2] = 0;
+  const auto components = connected_components(5, graph.i, graph.j, graph.conductance);
+  EXPECT_EQ(components.count, 2u);
+  EXPECT_EQ(components.of_node[0], components.of_node[2]);
+  EXPECT_NE(components.of_node[2], components.of_node[3]);
+}
+
+TEST(Ordering, NarrowsAShuffledChain) {
+  const Graph graph = test::relabelled(chain(500), 5);
+  const Network network = build_network(graph, plain_roles(graph));
+  for (std::size_t row = 0; row < network.size(); ++row)
+    for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k)
+      EXPECT_LE(
+          std::abs(static_cast<long>(network.column[static_cast<std::size_t>(k)]) - static_cast<long>(row)),
+          2);
+}
+
+TEST(SpdSolver, SteadyChainIsLinear) {
+  const Graph graph = chain(11, 0.0, 10.0);
+  const Network network = build_network(graph, plain_roles(graph));
+  const auto x = steady_state(network);
+  for (std::size_t row = 0; row < x.size(); ++row)
+    EXPECT_NEAR(x[row], static_cast<double>(graph.id[static_cast<std::size_t>(network.node_of_row[row])]),
+                1e-12);
+}
+
+TEST(SpdSolver, RefusesAFloatingCluster) {
+  Graph graph = chain(6, 0.0);
+  graph.conductance[3] = 0;
+  const Network network = build_network(graph, plain_roles(graph));
+  EXPECT_FALSE(every_component_is_held(network));
+  EXPECT_THROW(static_cast<void>(steady_state(network)), NumericalError);
+  EXPECT_NO_THROW(SpdSolver(network, 1.0));
+}
+
+class GraphFiles : public ::testing::Test {
+ protected:
+  std::string complaint(const std::string& nodes, const std::string& edges) {
+    const auto n = folder_.write("nodes.csv", nodes), e = folder_.write("edges.csv", edges);
+    return test::message_of<InputError>([&] { static_cast<void>(read_graph(n, e)); });
+  }
+  test::TemporaryFolder folder_;
+  const std::string nodes_ = "id,capacity,source,initial,fixed\n7,1,0,0,\n-3,2,0.5,1,\n900,1,0,0,10\n";
+  const std::string edges_ = "i,j,conductance\n7,-3,1\n900,7,2.5\n";
+};
+
+TEST_F(GraphFiles, ReadsNonContiguousIds) {
+  const Graph graph = read_graph(folder_.write("n.csv", nodes_), folder_.write("e.csv", edges_));
+  EXPECT_EQ(graph.id, (std::vector<std::int64_t>{7, -3, 900}));
+  EXPECT_TRUE(graph.is_fixed[2]);
+  EXPECT_EQ(graph.fixed_value[2], 10);
+  EXPECT_EQ(graph.conductance, (std::vector<double>{1, 2.5}));
+}
+
+TEST_F(GraphFiles, EveryBadRowIsOneClearError) {
+  const auto expect = [&](const std::string& nodes, const std::string& edges, const std::string& part) {
+    const auto message = complaint(nodes, edges);
+    EXPECT_NE(message.find(part), std::string::npos) << "wanted: " << part << "\n   got: " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  };
+  expect("id,capacity,source,initial\n1,1,0,0\n", edges_, "nodes.csv:1: column 'fixed' is missing");
+  expect("id,capacity,source,initial,fixed\n1,1,0\n", edges_, "nodes.csv:2: row");
+  expect("id,capacity,source,initial,fixed\n1,1,5,0,0,\n", edges_, "nodes.csv:2: row");
+  expect("id,capacity,source,initial,fixed\n1,0x1F,0,0,\n", edges_,
+         "nodes.csv:2: column 'capacity' is '0x1F'");
+  expect("id,capacity,source,initial,fixed\n1,1e999,0,0,\n", edges_, "1e999");
+  expect("id,capacity,source,initial,fixed\n1,1abc,0,0,\n", edges_, "1abc");
+  expect("id,capacity,source,initial,fixed\n1,nan,0,0,\n", edges_, "nan");
+  expect("id,capacity,source,initial,fixed\n1,0,0,0,\n", edges_, "capacity of node 1 is 0; it must be > 0");
+  expect("id,capacity,source,initial,fixed\n1,-2,0,0,\n", edges_, "-2");
+  expect("id,capacity,source,initial,fixed\n1,1,0,0,\n1,1,0,0,\n", edges_, "nodes.csv:3: id 1 stands twice");
+  expect("id,capacity,source,initial,fixed\n", edges_, "no nodes");
+  expect("", edges_, "is empty");
+  expect(nodes_, "i,j,conductance\n7,7,1\n", "edges.csv:2: edge 7-7 joins a node with itself");
+  expect(nodes_, "i,j,conductance\n7,-3,1\n900,7,1\n-3,7,2\n",
+         "edges.csv:4: edge 7--3 stands already in line 2");
+  expect(nodes_, "i,j,conductance\n7,8,1\n", "edges.csv:2: edge end 8 is not a node");
+  expect(nodes_, "i,j,conductance\n7,-3,-1\n", "it must be finite and >= 0");
+  expect(nodes_, "i,j,conductance\n7,-3,inf\n", "'inf'");
+  expect(nodes_, std::string("i,j\0", 4), "binary");
+}
+
+}  // namespace
+}  // namespace superstep
