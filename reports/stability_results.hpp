@@ -29,9 +29,9 @@ struct MethodStability {
   double stiff_measured = 0;     ///< the same from the stiffest mode of the network
   double difference = 0;         ///< worst |measured - R| over steps up to `step`
   double tolerance = 0;          ///< that `difference` may have
-  double growth = 0;             ///< measured: factor per step of a rough perturbation, after several steps
+  double growth = 0;             ///< measured: factor per step of a white perturbation, after several steps
   std::optional<double> beyond;  ///< |R| at a step that is too long
-  std::optional<double> beyond_measured;  ///< growth per step of a rough perturbation there
+  std::optional<double> beyond_measured;  ///< growth per step of a white perturbation there
   bool agrees = false;                    ///< measured = theory
 };
 

@@ -13,6 +13,11 @@ namespace {
 
 constexpr int loosest_level = -1, tightest_level = -10;  // powers of ten
 
+// `auto` is one of the others under another name, so it cannot win against it.
+bool competes(const WorkPrecisionPoint& point) {
+  return point.ok() && point.cpu && point.integrator != "auto";
+}
+
 bool is_euler(const WorkPrecisionPoint& point) {
   return point.integrator == "forward-euler";
 }
@@ -22,8 +27,7 @@ template <class Eligible>
 const WorkPrecisionPoint* cheapest(const WorkPrecision& study, Eligible eligible) {
   const WorkPrecisionPoint* best = nullptr;
   for (const auto& point : study.points)
-    if (point.ok() && point.cpu && eligible(point) && (!best || point.cpu->median < best->cpu->median))
-      best = &point;
+    if (competes(point) && eligible(point) && (!best || point.cpu->median < best->cpu->median)) best = &point;
   return best;
 }
 

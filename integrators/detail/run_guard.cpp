@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace superstep {
+namespace {
+
+constexpr double allowed_spans = 10;
+
+}  // namespace
 
 void RunGuard::prepare(const Rhs& rhs, const Plan& plan) {
   rhs_ = &rhs;
@@ -21,7 +26,7 @@ Outcome RunGuard::check(double t, std::span<const double> y) const {
     const double widened = source_rate_ * (t - t_begin_);
     const double low = ranges_[f].low - widened, high = ranges_[f].high + widened;
     const double rounding = 1e-6 * std::max(std::abs(low), std::abs(high));
-    const double slack = (high - low) + rounding + std::numeric_limits<double>::min();
+    const double slack = allowed_spans * (high - low) + rounding + std::numeric_limits<double>::min();
     for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride) {
       if (y[i] >= low - slack && y[i] <= high + slack) continue;  // false for NaN as well
       return {Status::unstable,

@@ -8,7 +8,8 @@
 namespace superstep {
 
 /// A value that leaves the maximum principle's range (initial and fixed values, widened by what sources can
-/// add) by more than the range's own width is growth of errors, not physics.
+/// add) by more than ten times the range's own width is growth of errors. Less is no proof: a stable but
+/// lightly damped superstep was seen to overshoot by once the width.
 class RunGuard {
  public:
   void prepare(const Rhs& rhs, const Plan& plan);

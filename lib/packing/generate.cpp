@@ -40,8 +40,13 @@ std::vector<double> draw_radii(const PackSettings& settings, Random& random) {
   else
     sizes.median = median_for_volume(sizes, count, volume);
   auto radii = stratified_diameters(sizes, count);
-  const double correction =
-      std::cbrt(volume / volume_of_diameters(radii));  // of the order of 1 +- 1/(6 count)
+  const double correction = std::cbrt(volume / volume_of_diameters(radii));  // about 1 +- 1/(6 count)
+  constexpr double largest_correction = 0.02;
+  if (std::abs(correction - 1.0) > largest_correction)
+    throw UsageError(
+        fmt::format("packing: {} spheres of these sizes miss the relative density {} by {:.2g} % of their "
+                    "diameters; choose a larger container or smaller spheres",
+                    count, settings.relative_density, 100.0 * std::abs(correction - 1.0)));
   for (double& r : radii) r = rounded(0.5 * correction * r);
   random.shuffle(radii);
   return radii;

@@ -47,8 +47,8 @@ void require_csv(const std::string& path, std::string_view text) {
   if (lines.line().find(',') == std::string_view::npos)
     throw InputError(
         fmt::format("{}:{}: line {} begins none of the known formats: CSV with header id,x,y,z,radius, "
-                    "LAMMPS/LIGGGHTS dump or data, "
-                    "Yade text with #format, MercuryDPM .data in 3-D; write the packing as one of these",
+                    "LAMMPS/LIGGGHTS dump or data, Yade text with #format, MercuryDPM .data in 3-D; write "
+                    "the packing as one of these",
                     path, lines.number(), quoted(lines.line())));
 }
 

@@ -155,6 +155,8 @@ Scene load_scene(const std::string& path) {
   if (probe) scene.probes = read_probes(*probe, scene);
   list_skips(scene);
   scene.warnings = range_warnings(scene);
+  for (const auto& field : scene.fields)
+    scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include "contact/conductance.hpp"
 #include "core/error.hpp"
 #include "scene/selection.hpp"
+#include "scene/warnings.hpp"
 
 namespace superstep {
 namespace {
@@ -102,6 +103,7 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   scene.name = kind.name;
   scene.unit = kind.unit;
   const FieldMaterials field = materials.field(kind.table, table, kind.capacity_key);
+  scene.warnings = material_warnings(kind, field, materials);
   for (const auto& conduction : field.of_material) scene.conductivity.push_back(conduction.conductivity);
   auto& graph = scene.graph;
   graph.id = packing.id;

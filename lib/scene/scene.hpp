@@ -56,6 +56,7 @@ struct FieldScene {
   std::size_t components = 0;             ///< connected components of the whole graph
   std::size_t idle_clusters = 0;          ///< components in which nothing can change
   std::size_t floating_clusters = 0;      ///< components without a fixed node that are integrated
+  std::vector<std::string> warnings;      ///< about its materials
   double low = 0, high = 0;               ///< range of initial and fixed values
 };
 

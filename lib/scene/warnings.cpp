@@ -42,4 +42,30 @@ std::vector<std::string> range_warnings(const Scene& scene) {
   return out;
 }
 
+std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMaterials& field,
+                                           const Materials& materials) {
+  std::vector<std::string> out;
+  const bool thermal = kind.name == "temperature";
+  const auto warn = [&](const char* what, double value, double low, double high, const char* unit) {
+    warn_outside(out, what, value, value, low, high, unit);
+  };
+  for (std::size_t k = 0; k < field.of_material.size(); ++k) {
+    warn("density", materials.density(static_cast<std::int32_t>(k)), 500, 2e4, "kg/m3");
+    if (thermal) {
+      warn("specific heat", field.of_material[k].capacity, 100, 5000, "J/(kg K)");
+      warn("thermal conductivity", field.of_material[k].conductivity, 0.02, 400, "W/(m K)");
+    } else {
+      warn("electric conductivity", field.of_material[k].conductivity, 1e-12, 6e7, "S/m");
+    }
+  }
+  const auto warn_interface = [&](const Interface& interface) {
+    if (!(interface.thickness > 0)) return;
+    warn("grain boundary thickness", interface.thickness, 1e-9, 1e-6, "m");
+    warn("grain boundary reduction", interface.reduction, 0.01, 1, "");
+  };
+  warn_interface(field.grain_boundary);
+  for (const auto& [pair, interface] : field.between) warn_interface(interface);
+  return out;
+}
+
 }  // namespace superstep

@@ -4,11 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "scene/materials.hpp"
+#include "scene/read_field.hpp"
 #include "scene/scene.hpp"
 
 namespace superstep {
 
 /// One sentence per finding; empty for a healthy scene.
 [[nodiscard]] std::vector<std::string> range_warnings(const Scene& scene);
+
+/// The same for densities, capacities, conductivities and grain boundaries of one field.
+[[nodiscard]] std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMaterials& field,
+                                                         const Materials& materials);
 
 }  // namespace superstep

@@ -130,6 +130,7 @@ TEST_P(AnyDensity, SurvivesASizeRatioOfTwenty) {
 
 TEST_P(AnyDensity, SurvivesASizeRatioOfAHundred) {
   auto settings = small_cylinder();
+  settings.container.diameter = settings.container.height = 70e-6;
   settings.sizes.min = 0.3e-6;
   settings.sizes.max = 30e-6;
   settings.sizes.median = 2e-6;
@@ -224,6 +225,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "it must exceed the smallest"},
         BadSettings{"MedianOutside", [](PackSettings& s) { s.sizes.median = 1e-6; }, "between the cut-offs"},
         BadSettings{"TooLarge", [](PackSettings& s) { s.sizes.max = 60e-6; }, "must fit into the container"},
+        BadSettings{"TooFew",
+                    [](PackSettings& s) {
+                      s.sizes.kind = SizeDistribution::Kind::uniform, s.sizes.min = s.sizes.max = 45e-6;
+                    },
+                    "2 spheres of these sizes miss the relative density 0.784"},
         BadSettings{"TooMany",
                     [](PackSettings& s) { s.sizes.min = 1e-9, s.sizes.median = 2e-9, s.sizes.max = 3e-9; },
                     "spheres; at most"},

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -186,6 +187,17 @@ TEST_F(CaseFile, OutputTimesEndAtTheEnd) {
   expect_complaint("t_end = 2.0\noutput_times = []\n" + network, "at least one");
   expect_complaint("t_end = 0\n" + network, "case.toml:1: key 't_end' is 0; it must be > 0");
   expect_complaint(network, "'t_end' is missing");
+}
+
+TEST_F(CaseFile, UnusualValuesAreSaid) {
+  const auto warnings = load(with("grain_boundary = { thickness = 2.0, reduction = 0.5 }\n")).warnings;
+  const auto said = [&](const std::string& part) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const auto& w) { return w.find(part) != std::string::npos; });
+  };
+  EXPECT_TRUE(said("largest diameter is 2 m"));
+  EXPECT_TRUE(said("largest grain boundary thickness is 2 m"));
+  EXPECT_FALSE(said("density"));
 }
 
 TEST_F(CaseFile, BadCasesAreOneClearErrorWithTheWayOut) {

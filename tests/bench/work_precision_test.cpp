@@ -1,0 +1,79 @@
+/// The work-precision sweep: every method on a ladder, and who wins where.
+
+#include "bench/work_precision.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/options.hpp"
+#include "integrators/registry.hpp"
+#include "scene/scene.hpp"
+
+namespace superstep {
+namespace {
+
+WorkPrecisionPoint point(const std::string& spec, double cpu, double error) {
+  WorkPrecisionPoint out;
+  out.spec = spec;
+  out.integrator = out.family = parse_spec(spec).name;
+  out.status = "ok";
+  out.cpu = Timing{cpu, cpu, cpu};
+  out.worst = out.worst_relative = error;
+  out.error_rms = {error};
+  return out;
+}
+
+TEST(WorkPrecision, WinnerIsTheCheapestThatReachesTheLevel) {
+  WorkPrecision study;
+  study.output_times = {1};
+  study.reference_error = 1e-6;
+  study.span = 1;
+  study.points = {point("forward-euler", 8, 5e-3), point("rkc:rtol=1e-2", 1, 2e-2),
+                  point("rkc:rtol=1e-4", 2, 2e-4), point("exponential", 3, 1e-9), point("auto", 0.5, 1e-9)};
+  auto failed = point("sts", 0.1, 0);
+  failed.status = "unstable";
+  failed.reason = "grew";
+  study.points.push_back(failed);
+  const auto levels = winners(study);
+  ASSERT_EQ(levels.size(), 5u);  // 1e-1 to 1e-5: nothing is claimed below the error bar
+  EXPECT_EQ(levels[0].winner->spec, "rkc:rtol=1e-2");
+  EXPECT_EQ(levels[1].winner->spec, "rkc:rtol=1e-4");
+  EXPECT_DOUBLE_EQ(*levels[1].lead, 1.5);
+  EXPECT_DOUBLE_EQ(*levels[1].over_euler, 4.0);
+  EXPECT_FALSE(levels[1].euler_misses);
+  EXPECT_EQ(levels[3].winner->spec, "exponential");
+  EXPECT_EQ(levels[3].runner_up, nullptr);
+  EXPECT_TRUE(levels[3].euler_misses);
+  const auto csv = work_precision_csv(study);
+  EXPECT_NE(csv.find("unstable,grew"), std::string::npos);  // failed points stay visible
+  EXPECT_NE(work_precision_table(study, false).find("sts: unstable: grew"), std::string::npos);
+}
+
+TEST(WorkPrecision, EveryMethodOfTheRegistryHasAValidLadder) {
+  std::set<std::string> names;
+  for (const auto& spec : work_precision_specs()) {
+    EXPECT_NO_THROW(static_cast<void>(make_integrator(spec))) << spec;
+    names.insert(parse_spec(spec).name);
+  }
+  EXPECT_EQ(names.size(), integrators().size());
+}
+
+TEST(WorkPrecision, SweepsACase) {
+  const Scene scene = load_scene(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/chain.toml");
+  Progress progress(false);
+  WorkPrecisionOptions options;
+  options.use_cache = false;
+  options.repetitions = 2;
+  options.integrators = {"rkc:rtol=1e-3", "rkc:rtol=1e-6", "exponential", "forward-euler:step=0.6"};
+  const auto study = work_precision(scene, options, progress);
+  ASSERT_EQ(study.points.size(), 4u);
+  EXPECT_LT(study.points[1].worst, 0.1 * study.points[0].worst);
+  EXPECT_LT(study.points[2].worst_relative, 1e-7);
+  EXPECT_EQ(study.points[3].status, "unstable");
+  EXPECT_EQ(study.points[0].error_rms.size(), scene.output_times.size());
+  EXPECT_EQ(study.reference, "exponential:rtol=1e-15");
+}
+
+}  // namespace
+}  // namespace superstep
