@@ -133,7 +133,8 @@ TEST_F(CachedReferenceTest, TheExponentialGivesALinearSceneItsErrorBar) {
   ASSERT_TRUE(result.reference);
   ASSERT_EQ(result.reference->error_bar.size(), 1u);
   const auto finer = obtain("forward-euler:step=0.05");
-  EXPECT_NEAR(finer.reference->error_bar[0] / result.reference->error_bar[0], 0.5, 0.05);  // its own, first-order error
+  EXPECT_NEAR(finer.reference->error_bar[0] / result.reference->error_bar[0], 0.5,
+              0.05);  // its own, first-order error
   EXPECT_TRUE(obtain("forward-euler:step=0.1").reference->from_cache);
 }
 
