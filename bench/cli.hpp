@@ -1,6 +1,5 @@
 #pragma once
-/// The command line. CLI11 2.1.2 misreads numbers ("-5" for an unsigned, '' as 0), so it only ever sees
-/// strings here; numbers go through core/number.hpp.
+/// From the command line to a command: numbers parsed strictly, combinations checked.
 
 #include <string>
 #include <vector>

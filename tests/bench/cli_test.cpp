@@ -62,6 +62,8 @@ TEST_F(Program, NumbersOnTheCommandLineAreStrict) {
   expect_error("run rod.toml --tolerance -1", 2, "--tolerance");
   expect_error("run rod.toml --tolerance nan", 2, "--tolerance");
   expect_error("list --color sometimes", 2, "--color");
+  expect_error("run rod.toml --tolerance ''", 2, "--tolerance");
+  expect_error("run rod.toml --out ''", 2, "--out");
   expect_error("pack --height 1 --diameter 1 --sizes uniform:min=0.1,max=0.2 --seed -5 -o x.csv", 2,
                "--seed");
   expect_error("pack --height 1 --diameter 1 --sizes uniform:min=0.3,max=0.2 -o x.csv", 2, "min");
