@@ -128,7 +128,7 @@ std::string work_precision_csv(const WorkPrecision& study) {
                        error(point.worst), error(point.worst_relative), csv_cell(study.reference),
                        study.reference_error ? csv_cell(*study.reference_error) : std::string());
     for (std::size_t k = 0; k < study.output_times.size(); ++k)
-      out += "," + (k < point.error_rms.size() ? csv_cell(point.error_rms[k]) : std::string());
+      out += fmt::format(",{}", k < point.error_rms.size() ? csv_cell(point.error_rms[k]) : std::string());
     out += "\n";
   }
   return out;
