@@ -25,7 +25,8 @@ MethodCase forward_euler() {
 }
 
 MethodCase superstep(SuperstepShape shape, const std::string& order) {
-  const auto [n, nu] = shape;
+  const int n = shape.n;  // not a structured binding: clang 14 cannot capture one
+  const double nu = shape.nu;
   const double length = superstep_length(n, nu);
   return {.family = "sts",
           .parameters = fmt::format("n={},nu={:g}", n, nu),

@@ -60,7 +60,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 ChainRun run_chain(Chain& chain, SuperstepShape shape, const std::string& order, int supersteps) {
-  const auto [n, nu] = shape;
+  const int n = shape.n;
+  const double nu = shape.nu;
   constexpr double part_of_limit = 0.99;
   const double critical_step = part_of_limit * 2 / chain.largest_rate();
   const double t_end = supersteps * critical_step * superstep_length(n, nu);

@@ -119,6 +119,7 @@ std::string StabilityTable::csv() const {
   std::string out = fmt::format("{}\n", fmt::join(columns, ","));
   for (const auto& row : rows) {
     std::vector<std::string> cells;
+    cells.reserve(row.size());
     for (const auto& cell : row) cells.push_back(std::visit(CsvText{}, cell));
     out += fmt::format("{}\n", fmt::join(cells, ","));
   }
