@@ -100,7 +100,7 @@ RoundingGrowth measure(Chain& chain, SuperstepShape shape, const std::string& or
 
 double internal_amplification(int n, double nu, const std::string& order) {
   ThreeTermScheme scheme;
-  first_order_chebyshev(n, (1 + nu) / (1 - nu), scheme);
+  first_order_chebyshev(n, 2 * nu / (1 - nu), scheme);
   auto substeps = superstep_substeps(n, nu);
   if (order == "leja") substeps = leja_ordered(std::move(substeps));
   const double length = superstep_length(n, nu);

@@ -78,7 +78,7 @@ class SuperTimeStepping final : public Integrator {
     // Leja substeps cost exactly a forward Euler step each; the recurrence is for numbers beyond practice.
     if (order_.empty()) order_ = n_ <= most_leja_substeps ? "leja" : "recurrence";
     if (order_ == "recurrence") {
-      first_order_chebyshev(n_, (1 + nu_) / (1 - nu_), scheme_);
+      first_order_chebyshev(n_, 2 * nu_ / (1 - nu_), scheme_);
     } else {
       substeps_ = superstep_substeps(n_, nu_);
       if (order_ == "leja") substeps_ = leja_ordered(std::move(substeps_));

@@ -44,7 +44,7 @@ double rkc1_beta(int s) {
 }
 
 void rkc1_scheme(int s, ThreeTermScheme& scheme) {
-  first_order_chebyshev(s, 1 + rkc1_damping / (static_cast<double>(s) * s), scheme);
+  first_order_chebyshev(s, rkc1_damping / (static_cast<double>(s) * s), scheme);
 }
 
 /// T''_s by the closed form, which is accurate here: s theta stays near sqrt(2 damping).

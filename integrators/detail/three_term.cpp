@@ -5,23 +5,23 @@
 
 namespace superstep {
 
-void first_order_chebyshev(int stages, double w0, ThreeTermScheme& scheme) {
+void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   const auto s = static_cast<std::size_t>(stages);
   scheme.stages = stages;
   scheme.uses_first_derivative = false;
   for (auto* v : {&scheme.m, &scheme.n, &scheme.mt, &scheme.gt, &scheme.c}) v->assign(s + 1, 0.0);
-  // T_j = cosh(j theta): T'_s/T_s = s tanh(s theta)/sinh(theta), with theta from w0 - 1 free of cancellation.
-  const double excess = w0 - 1, sinh_theta = std::sqrt(excess * (2 + excess)), theta = std::asinh(sinh_theta);
+  // T_j = cosh(j theta): T'_s/T_s = s tanh(s theta)/sinh(theta), theta free of cancellation.
+  const double w0 = 1 + excess, sinh_theta = std::sqrt(excess * (2 + excess)), theta = std::asinh(sinh_theta);
   const double w1 = sinh_theta / (stages * std::tanh(stages * theta));
   scheme.beta = (1 + w0) / w1;
-  double ratio = 1 / w0, earlier_ratio = 1;  // T_{j-1}/T_j and T_{j-2}/T_{j-1}
   scheme.mt[1] = w1 / w0;
   scheme.c[1] = scheme.mt[1];
   for (std::size_t j = 2; j <= s; ++j) {
-    earlier_ratio = ratio;
-    ratio = 1 / (2 * w0 - earlier_ratio);
+    // T_{j-1}/T_j = cosh((j-1) theta)/cosh(j theta), by the addition theorem: no overflow, no error carried
+    // from j to j+1.
+    const double ratio = w0 - sinh_theta * std::tanh(static_cast<double>(j) * theta);
     scheme.m[j] = 2 * w0 * ratio;
-    scheme.n[j] = -earlier_ratio * ratio;
+    scheme.n[j] = 1 - scheme.m[j];  // exactly: the recurrence has no Y_0 term to make up for a rounding
     scheme.mt[j] = 2 * w1 * ratio;
     scheme.c[j] = scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] + scheme.mt[j];
   }

@@ -18,11 +18,12 @@ struct ThreeTermScheme {
   std::vector<double> m, n, mt, gt, c;  ///< [s+1]; c_j h = time of stage j
 };
 
-/// First-order RKC polynomial T_s(w0 + w1 z)/T_s(w0), w0 > 1, by ratios of T_j that cannot overflow.
-/// Super-time-stepping with damping nu is the case w0 = (1 + nu)/(1 - nu).
+/// First-order RKC polynomial T_s(w0 + w1 z)/T_s(w0), by ratios of T_j that cannot overflow.
+///   excess [-]  w0 - 1 > 0, given as such because 1 + excess would lose its digits
+/// Super-time-stepping with damping nu is the case w0 = (1 + nu)/(1 - nu), excess = 2 nu/(1 - nu).
 /// Source: Verwer, Hundsdorfer & Sommeijer (1990), Convergence properties of the Runge-Kutta-Chebyshev
 /// method.
-void first_order_chebyshev(int stages, double w0, ThreeTermScheme& scheme);
+void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme);
 
 /// Work vectors of the recurrence, allocated once.
 class ThreeTermEngine {

@@ -70,13 +70,11 @@ Real second_order(Polynomial p, int s, Real w0, Real z) {
   return 1 + b * (p(s, w0 + w1 * z).value - at.value);
 }
 
-/// w0 of RKC2, and of RKC1 as a double holds it: 1 + 0.05/s^2 loses the last digits of its damping, not of
-/// its order.
 Real rkc2_w0(int s) {
   return 1 + 2.0L / 13 / (Real(s) * Real(s));
 }
-double rkc1_w0(int s) {
-  return 1 + 0.05 / (static_cast<double>(s) * s);
+Real rkc1_w0(int s) {
+  return 1 + 0.05L / (Real(s) * Real(s));
 }
 
 struct FamilyCase {

@@ -71,7 +71,7 @@ TEST(Superstep, RecurrenceIsTheSamePolynomial) {
   for (const int n : {1, 2, 5, 20})
     for (const double nu : {1e-3, 0.05}) {
       ThreeTermScheme scheme;
-      first_order_chebyshev(n, (1 + nu) / (1 - nu), scheme);
+      first_order_chebyshev(n, 2 * nu / (1 - nu), scheme);
       const auto taus = superstep_substeps(n, nu);
       const double length = superstep_length(n, nu);
       for (const double x : {0.0, 0.1, 0.5, 1.0, 1.7, 2.0}) {  // lambda * critical step
