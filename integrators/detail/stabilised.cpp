@@ -79,14 +79,14 @@ void Stabilised::prepare(Rhs& rhs, const Plan& plan) {
   engine_.resize(rhs.size());
   for (auto* v : {&scheme_.m, &scheme_.n, &scheme_.mt, &scheme_.gt, &scheme_.c})
     v->reserve(static_cast<std::size_t>(largest_stages) + 1);
-  if (rhs.traits().linear) radius_ = spectral_radius_.at(rhs, plan.t_begin, state_);
+  if (needs_radius() && rhs.traits().linear) radius_ = spectral_radius_.at(rhs, plan.t_begin, state_);
 }
 
 void Stabilised::start(double t, std::span<const double> y) {
   t_ = t;
   state_.assign(y.begin(), y.end());
   statistics_ = {};
-  radius_ = spectral_radius_.at(*rhs_, t, state_);
+  if (needs_radius()) radius_ = spectral_radius_.at(*rhs_, t, state_);
   steps_since_radius_ = 0;
   weights_.restart();
   controller_.restart();
@@ -125,7 +125,7 @@ void Stabilised::accept(double t_next) {
   ++statistics_.steps;
   t_ = t_next;
   recorder_.record(t_, state_);
-  if (!rhs_->traits().linear && ++steps_since_radius_ >= radius_refresh) {
+  if (needs_radius() && !rhs_->traits().linear && ++steps_since_radius_ >= radius_refresh) {
     radius_ = spectral_radius_.at(*rhs_, t_, state_);
     steps_since_radius_ = 0;
   }
