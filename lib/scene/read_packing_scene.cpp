@@ -131,7 +131,9 @@ void read_given_necks(const std::string& path, double unit, const Packing& packi
   }
 }
 
-void read_contacts(TomlTable& table, const std::string& case_path, double unit, PackingScene& scene) {
+/// `place` [text]: where the particles come from, for errors about them.
+void read_contacts(TomlTable& table, const std::string& case_path, const std::string& place, double unit,
+                   PackingScene& scene) {
   const auto neck = table.require("neck", "it names the neck law, e.g. \"volume-preserving\"");
   scene.neck = neck.string();
   if (scene.neck == "given") {
@@ -151,7 +153,11 @@ void read_contacts(TomlTable& table, const std::string& case_path, double unit, 
     if (!(parameters.hardening >= 0.5 && parameters.hardening <= 1.45))
       hardening->reject("it must lie between 0.5 (linear hardening) and 1.45 (perfectly plastic)");
   }
-  scene.contacts = find_contacts(scene.packing);
+  try {
+    scene.contacts = find_contacts(scene.packing);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", place, error.what()));
+  }
   scene.neck_report = apply_neck_law(scene.packing, *law, parameters, scene.contacts);
 }
 
@@ -183,7 +189,8 @@ PackingInput read_packing_scene(TomlTable& root) {
     input.pipe = law->string() == "pipe";
     if (!input.pipe && law->string() != "series") law->reject("it must be \"series\" or \"pipe\"");
   }
-  read_contacts(*contact, root.file(), input.unit, input.scene);
+  const std::string place = file ? beside_case(root.file(), file->string()) : generator->where();
+  read_contacts(*contact, root.file(), place, input.unit, input.scene);
   return input;
 }
 

@@ -201,6 +201,11 @@ TEST_F(CaseFile, UnusualValuesAreSaid) {
 }
 
 TEST_F(CaseFile, BadCasesAreOneClearErrorWithTheWayOut) {
+  folder_.write("nested.csv", "id,x,y,z,radius\n5,0,0,0,1\n6,0,0,1,9\n");
+  expect_complaint(
+      "t_end = 1\n[packing]\nfile = 'nested.csv'\n[material]\ndensity = 1\n[contact]\nneck = 'hertz'\n"
+      "[thermal]\nconductivity = 1\nspecific_heat = 1\n",
+      "nested.csv: particle 5");
   expect_complaint(with("conductivty = 1\n"), "did you mean 'conductivity'");
   expect_complaint(with("", "t_end = 1.0\ntitel = 'x'\n"), "case.toml:2: unknown key 'titel'");
   expect_complaint(with("fixed = [ { where = 'top', value = nan } ]\n"), "finite");
