@@ -1,0 +1,64 @@
+/// The same answers from all methods, on every case file.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "bench/metrics.hpp"
+#include "bench/run_one.hpp"
+#include "integrators/registry.hpp"
+#include "scene/scene.hpp"
+
+namespace superstep {
+namespace {
+
+std::vector<std::string> case_files() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(SUPERSTEP_SOURCE_DIR) + "/cases"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// States at the output times; empty when the method did not end well.
+std::vector<std::vector<double>> states(const Scene& scene, const std::string& spec) {
+  std::vector<std::vector<double>> out;
+  RunRequest request;
+  request.observe = [&](std::size_t, double, std::span<const double> state) {
+    out.emplace_back(state.begin(), state.end());
+  };
+  const RunResult run = run_one(scene, spec, request);
+  EXPECT_TRUE(run.outcome.ok()) << spec << ": " << run.outcome.reason;
+  return out;
+}
+
+class EveryCase : public ::testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, ::testing::ValuesIn(case_files()),
+                         [](const auto& file) { return std::filesystem::path(file.param).stem().string(); });
+
+TEST_P(EveryCase, HasOneAnswer) {
+  const Scene scene = load_scene(GetParam());
+  const double span = scene.fields.front().high - scene.fields.front().low;
+  const auto reference = states(scene, "exponential:rtol=1e-13");
+  constexpr double rtol = 1e-4;
+  for (const auto& entry : integrators()) {
+    // Adaptive methods at one tolerance; those without one at their finest usual step.
+    const std::string spec = entry.adaptive        ? entry.name + ":rtol=1e-4"
+                             : entry.name == "sts" ? "sts:n=5,nu=0.05"
+                                                   : entry.name;
+    const auto result = states(scene, spec);
+    ASSERT_EQ(result.size(), reference.size()) << spec;
+    double worst = 0;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      worst = std::max(worst, deviation(scene.rhs->fields().front(), result[k], reference[k]).rms / span);
+    // Local control adds up to some times rtol; first-order fixed steps are as good as a fraction of the
+    // first output.
+    EXPECT_LT(worst, entry.adaptive ? 10 * rtol : 5e-2) << spec;
+  }
+}
+
+}  // namespace
+}  // namespace superstep
