@@ -125,6 +125,7 @@ void CvodeBdf::create_solver(double t) {
 }
 
 void CvodeBdf::start(double t, std::span<const double> y) {
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), sundials::entries(y_.get()).begin());
   std::copy(y.begin(), y.end(), state_.begin());
   error_weights_.restart();

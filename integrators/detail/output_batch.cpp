@@ -34,6 +34,7 @@ void BatchPropagator::prepare(Rhs& rhs, const Plan& plan) {
 }
 
 void BatchPropagator::start(double t, std::span<const double> y) {
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), first_state_.begin());
   origin_ = current_ = &first_state_;
   t_ = t_batch_ = t;

@@ -24,7 +24,8 @@ class RunGuard {
  private:
   const Rhs* rhs_ = nullptr;
   std::vector<FieldRange> ranges_;
-  double t_begin_ = 0, source_rate_ = 0;
+  std::vector<double> source_rate_;  // [fields]
+  double t_begin_ = 0;
   const std::atomic<bool>* stop_ = nullptr;
 };
 

@@ -84,6 +84,7 @@ void Stabilised::prepare(Rhs& rhs, const Plan& plan) {
 
 void Stabilised::start(double t, std::span<const double> y) {
   t_ = t;
+  rhs_->restart(t);
   state_.assign(y.begin(), y.end());
   statistics_ = {};
   if (needs_radius()) radius_ = spectral_radius_.at(*rhs_, t, state_);
@@ -131,6 +132,13 @@ void Stabilised::accept(double t_next) {
   }
 }
 
+/// A field that has settled leaves a smaller spectrum and its own derivative behind.
+void Stabilised::look_for_settling() {
+  if (!rhs_->settle(t_, state_)) return;
+  if (needs_radius()) radius_ = spectral_radius_.at(*rhs_, t_, state_);
+  (*rhs_)(t_, state_, derivative_);
+}
+
 Outcome Stabilised::advance_fixed(double t_out) {
   const double t_in = t_;
   const auto steps = steps_to_cover(t_out - t_in, fixed_step_);
@@ -142,6 +150,7 @@ Outcome Stabilised::advance_fixed(double t_out) {
     try_step(t_next - t_);
     accept(t_next);
     if (family_.order == 2) (*rhs_)(t_, state_, derivative_);
+    look_for_settling();
     if (guard_.stop_requested()) return interrupted_at(t_);
     if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
   }
@@ -209,6 +218,7 @@ Outcome Stabilised::advance_adaptive(double t_out) {
     }
     accept(h == remaining ? t_out : t_ + h);
     std::swap(derivative_, next_derivative_);
+    look_for_settling();
     const double next_step = controller_.after_acceptance(h, error);
     step_ = h < step_ ? std::max(step_, next_step)
                       : next_step;  // a shortened step says nothing against the planned one

@@ -33,6 +33,7 @@ class Stabilised final : public Integrator {
   void try_step(double h);
   void accept(double t_next);
   void set_stages(int stages);
+  void look_for_settling();
   /// False when step and stages are both given: nothing is left to choose from the spectrum.
   [[nodiscard]] bool needs_radius() const noexcept { return fixed_stages_ == 0; }
   [[nodiscard]] double with_full_stages(double h) const;

@@ -26,6 +26,7 @@ void TrapezoidalFixedPoint::prepare(Rhs& rhs, const Plan& plan) {
 
 void TrapezoidalFixedPoint::start(double t, std::span<const double> y) {
   t_ = t;
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), state_.begin());
   (*rhs_)(t_, state_, derivative_);
   radius_ = spectral_radius_.at(*rhs_, t_, state_);

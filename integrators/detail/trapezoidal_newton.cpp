@@ -31,6 +31,7 @@ void TrapezoidalNewton::prepare(Rhs& rhs, const Plan& plan) {
 
 void TrapezoidalNewton::start(double t, std::span<const double> y) {
   t_ = t;
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), state_.begin());
   (*rhs_)(t_, state_, derivative_);
   weights_.restart();

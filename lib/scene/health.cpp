@@ -55,8 +55,8 @@ double lumping_ratio(const Packing& packing, const FieldScene& field) {
   std::vector<double> ratio;
   for (std::size_t k = 0; k < field.graph.edges(); ++k) {
     const auto i = static_cast<std::size_t>(field.graph.i[k]), j = static_cast<std::size_t>(field.graph.j[k]);
-    const double kappa_i = field.conductivity[static_cast<std::size_t>(packing.material[i])];
-    const double kappa_j = field.conductivity[static_cast<std::size_t>(packing.material[j])];
+    const double kappa_i = field.laws.of_node(static_cast<std::int32_t>(i)).value;
+    const double kappa_j = field.laws.of_node(static_cast<std::int32_t>(j)).value;
     const double kappa = 2 * kappa_i * kappa_j / (kappa_i + kappa_j);
     const double radius = std::min(packing.radius[i], packing.radius[j]);
     ratio.push_back(field.graph.conductance[k] / (std::numbers::pi * kappa * radius));

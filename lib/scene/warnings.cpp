@@ -53,9 +53,9 @@ std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMat
     warn("density", materials.density(static_cast<std::int32_t>(k)), 500, 2e4, "kg/m3");
     if (thermal) {
       warn("specific heat", field.of_material[k].capacity, 100, 5000, "J/(kg K)");
-      warn("thermal conductivity", field.of_material[k].conductivity, 0.02, 400, "W/(m K)");
+      warn("thermal conductivity", field.of_material[k].conductivity.value, 0.02, 400, "W/(m K)");
     } else {
-      warn("electric conductivity", field.of_material[k].conductivity, 1e-12, 6e7, "S/m");
+      warn("electric conductivity", field.of_material[k].conductivity.value, 1e-12, 6e7, "S/m");
     }
   }
   const auto warn_interface = [&](const Interface& interface) {
