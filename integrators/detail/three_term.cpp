@@ -8,7 +8,8 @@ namespace superstep {
 void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   const auto s = static_cast<std::size_t>(stages);
   scheme.stages = stages;
-  scheme.uses_first_derivative = false;
+  scheme.uses_first_derivative = scheme.keeps_first_stage = false;
+  scheme.finish.reset();
   for (auto* v : {&scheme.m, &scheme.n, &scheme.mt, &scheme.gt, &scheme.c}) v->assign(s + 1, 0.0);
   // T_j = cosh(j theta): T'_s/T_s = s tanh(s theta)/sinh(theta), theta free of cancellation.
   const double w0 = 1 + excess, sinh_theta = std::sqrt(excess * (2 + excess)), theta = std::asinh(sinh_theta);
@@ -27,15 +28,15 @@ void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   }
 }
 
-void ThreeTermEngine::resize(std::size_t size) {
+void ThreeTermEngine::resize(std::size_t size, bool finishing) {
   result_.resize(size);
   previous_.resize(size);
+  for (auto& slope : slopes_) slope.resize(finishing ? size : 0);
 }
 
 void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
                            std::span<const double> y0, std::span<const double> f0, double* inflow) {
-  const bool keeps_first = scheme.uses_first_derivative;
-  if (keeps_first) {
+  if (scheme.uses_first_derivative) {
     const double first = scheme.mt[1] * h;
     for (std::size_t i = 0; i < y0.size(); ++i) result_[i] = y0[i] + first * f0[i];
   } else {
@@ -46,11 +47,11 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
   double entered = scheme.mt[1] * h * inflow0, entered_before = 0;
 
   std::span<const double> before = y0;
-  for (std::size_t j = 2; j <= static_cast<std::size_t>(scheme.stages); ++j) {
+  for (std::size_t j = 2; j <= static_cast<std::size_t>(scheme.recurrence_stages()); ++j) {
     const double time = t + scheme.c[j - 1] * h;
     Stage stage{
         .y1 = result_.data(), .a = scheme.m[j], .d = scheme.mt[j] * h, .y2 = before.data(), .b = scheme.n[j]};
-    if (keeps_first) {
+    if (scheme.keeps_first_stage) {
       stage.y0 = y0.data();
       stage.c = 1 - scheme.m[j] - scheme.n[j];
       stage.f0 = f0.data();
@@ -66,6 +67,30 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
     before = previous_;
   }
   if (inflow) *inflow += entered;
+  if (scheme.finish) finish(rhs, scheme, t, h, inflow);
+}
+
+void ThreeTermEngine::finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, double* inflow) {
+  const auto& [a, b, estimate] = *scheme.finish;
+  const auto first = static_cast<std::size_t>(scheme.recurrence_stages());
+  const auto sweep = [&](std::size_t k, std::span<const double> y) {
+    const double time = t + scheme.c[first + k] * h;
+    rhs(time, y, slopes_[k]);
+    if (inflow) *inflow += h * b[k] * rhs.inflow(time, y);
+  };
+  const auto& [f1, f2, f3, f4] = slopes_;
+  auto& stage = previous_;
+  sweep(0, result_);
+  for (std::size_t i = 0; i < stage.size(); ++i) stage[i] = result_[i] + h * (a[0][0] * f1[i]);
+  sweep(1, stage);
+  for (std::size_t i = 0; i < stage.size(); ++i)
+    stage[i] = result_[i] + h * (a[1][0] * f1[i] + a[1][1] * f2[i]);
+  sweep(2, stage);
+  for (std::size_t i = 0; i < stage.size(); ++i)
+    stage[i] = result_[i] + h * (a[2][0] * f1[i] + a[2][1] * f2[i] + a[2][2] * f3[i]);
+  sweep(3, stage);
+  for (std::size_t i = 0; i < stage.size(); ++i)
+    result_[i] += h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]);
 }
 
 }  // namespace superstep
