@@ -73,6 +73,7 @@ MethodCase trapezoidal(double phi, double z_stiff) {
 
 std::vector<int> stage_counts(const StabilisedFamily& family, bool quick) {
   const bool odd = family.stage_step == 2;
+  if (family.order == 4) return quick ? std::vector{5, 20} : std::vector{5, 8, 10, 20, 50, 100};
   if (quick) return odd ? std::vector{3, 5, 21} : std::vector{2, 5, 20};
   return odd ? std::vector{3, 5, 11, 21, 51, 101, 199} : std::vector{2, 3, 5, 10, 20, 50, 100, 200};
 }
@@ -93,11 +94,8 @@ std::vector<MethodCase> method_catalogue(bool quick) {
   std::vector<MethodCase> methods = {forward_euler()};
   for (const auto& shape : superstep_shapes(quick))
     for (const char* order : superstep_orders) methods.push_back(superstep(shape, order));
-  const Family families[] = {{rkc1_family, "rkc"},
-                             {rkc2_family, "rkc"},
-                             {rkl1_family, "rkl"},
-                             {rkl2_family, "rkl"},
-                             {rkg2_family, "rkg"}};
+  const Family families[] = {{rkc1_family, "rkc"}, {rkc2_family, "rkc"}, {rkl1_family, "rkl"},
+                             {rkl2_family, "rkl"}, {rkg2_family, "rkg"}, {rock4_family, "rock"}};
   for (const auto& family : families)
     for (const int stages : stage_counts(family.family(), quick))
       methods.push_back(stabilised(family, stages));

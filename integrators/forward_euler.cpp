@@ -36,7 +36,7 @@ class ForwardEuler final : public Integrator {
     for (std::uint64_t k = 1; k <= steps; ++k) {
       const double t_next = k == steps ? t_out : t_in + static_cast<double>(k) * step_;
       take_step(t_next);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (guard_.stop_requested(t_)) return interrupted_at(t_);
       if (k % RunGuard::stride != 0) continue;
       if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
     }

@@ -76,7 +76,8 @@ struct Attempt {
 
 Attempt attempt(const Weights& start, const std::array<double, 4>& c) {
   Attempt out;
-  auto& [a, b, estimate] = out.finish;
+  auto& a = out.finish.a;
+  auto& b = out.finish.b;
   std::array<double, 4> node, chain;  // weights of t and [t] in each stage
   for (std::size_t i = 0; i < 4; ++i) node[i] = start[0] + c[i];
   // Trees t, [t], [t,t], [t,t,t]: the quadrature.
@@ -115,26 +116,24 @@ Attempt attempt(const Weights& start, const std::array<double, 4>& c) {
   return out;
 }
 
-/// Order three from the four stages and the end's derivative: the direction is unique, its length is chosen.
-std::array<double, 5> error_estimate(const FinishingProcedure& f, const Weights& start) {
-  // Size of the estimate's leading coefficient on the chain of four: that of an embedded method whose own
-  // local error is a fifth of z^4/24.
+/// The embedded result of order three starts from y_n and uses the four slopes alone: its part of the stiff
+/// modes stays as small as theirs, while the end's derivative would multiply them, and roundings, by h rho.
+void set_error_estimate(FinishingProcedure& f, const Weights& start) {
+  // Leading coefficient of the estimate on the chain of four, so that it is of the size of a fifth of z^4/24.
   constexpr double leading = 0.2 / 24;
   const auto slopes = slope_weights(f, start);
-  const auto like_end =
-      solve_four([&](int k, std::size_t i) { return slopes[i][static_cast<std::size_t>(k)]; },
-                 {1, exact[0], exact[0], exact[1]});
-  double chain = exact[3];
-  for (std::size_t i = 0; i < 4; ++i) chain -= like_end[i] * slopes[i][7];
-  const double length = leading / chain;
-  return {-length * like_end[0], -length * like_end[1], -length * like_end[2], -length * like_end[3], length};
+  f.embedded = solve_four([&](int k, std::size_t i) { return slopes[i][static_cast<std::size_t>(k)]; },
+                          {exact[0], exact[1], exact[2], exact[3]});
+  double chain = exact[7];
+  for (std::size_t i = 0; i < 4; ++i) chain -= f.embedded[i] * slopes[i][7];
+  f.estimate_scale = leading / std::abs(chain);
 }
 
 }  // namespace
 
 void set_rock_finish(ThreeTermScheme& scheme) {
   // Nodes as parts of the way from the recurrence's end to the step's end; of the choices that keep all
-  // coefficients below one these have nearly the smallest error of fifth order.
+  // coefficients below two these have nearly the smallest error of fifth order.
   constexpr double second_part = 0.35, third_part = 0.55;
   const auto stages = static_cast<std::size_t>(scheme.stages);
   const auto recurrence = static_cast<std::size_t>(scheme.recurrence_stages());
@@ -155,7 +154,7 @@ void set_rock_finish(ThreeTermScheme& scheme) {
   if (!(std::abs(tried.missing) < 1e-12))
     throw std::logic_error("no finishing procedure of order four found for this number of stages");
   scheme.finish = tried.finish;
-  scheme.finish->estimate = error_estimate(tried.finish, start);
+  set_error_estimate(*scheme.finish, start);
   scheme.c[0] = 0;
   for (std::size_t j = 1; j <= recurrence; ++j)
     scheme.c[j] = (j > 1 ? scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] : 0) + scheme.mt[j];

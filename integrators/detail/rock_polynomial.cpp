@@ -12,7 +12,7 @@
 namespace superstep {
 namespace {
 
-constexpr double damped_end = 0.89;
+constexpr double damped_end = 0.85;
 
 /// Real and imaginary parts of the two roots, and l / s^2: all tend to a limit as s grows.
 using Unknowns = Eigen::Matrix<double, 5, 1>;

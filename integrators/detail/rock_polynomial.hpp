@@ -2,8 +2,8 @@
 /// Stability polynomials of order four with nearly the longest real interval:
 ///   R_s(z) = w(x) P_{s-4}(x),   x = 1 + 2 z / l,   z in [-l, 0]
 /// w has two pairs of complex roots, P_{s-4} is orthogonal with the weight w(x)^2 / sqrt(1 - x^2), both are 1
-/// at x = 1. Four roots' coordinates and l follow from R'(0) = ... = R''''(0) = 1 and |R(-l)| = 0.89, which
-/// keeps |R| below 0.95 on all of the interval but its beginning.
+/// at x = 1. Four roots' coordinates and l follow from R'(0) = ... = R''''(0) = 1 and |R(-l)| = 0.85, which
+/// keeps |R| below 0.9 on all of the interval but its beginning.
 /// Source of the construction: Abdulle (2002), Fourth order Chebyshev methods with recurrence relation,
 /// doi:10.1137/S1064827500379549. Its tabulated coefficients are not used: ours are solved for when first
 /// needed.

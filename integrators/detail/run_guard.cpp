@@ -18,6 +18,7 @@ void RunGuard::prepare(const Rhs& rhs, const Plan& plan) {
   t_begin_ = plan.t_begin;
   source_rate_ = rhs.source_rate();
   stop_ = plan.stop;
+  reached_ = plan.reached;
 }
 
 Outcome RunGuard::check(double t, std::span<const double> y) const {

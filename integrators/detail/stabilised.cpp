@@ -42,7 +42,6 @@ Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
       atol_(options.number("atol").value_or(0.0)),
       fixed_step_(options.number("step").value_or(0.0)),
       fixed_stages_(options.integer("stages").value_or(0)),
-      stage_limit_(family.stages_within_rounding(rtol_)),
       controller_(family.controlled_order) {
   static const std::array<std::string, 2> with_rtol = {"rtol", "step"}, with_atol = {"atol", "step"};
   options.at_most_one_of(with_rtol);
@@ -68,7 +67,12 @@ void Stabilised::prepare(Rhs& rhs, const Plan& plan) {
   state_.resize(rhs.size());
   derivative_.resize(rhs.size());
   next_derivative_.resize(rhs.size());
-  engine_.resize(rhs.size(), family_.order == 4);
+  const bool finishing = family_.order == 4;
+  engine_.resize(rhs.size(), finishing);
+  // A nonlinear right-hand side sees the state with its roundings, not only the change within the step.
+  constexpr double state_over_change = 16;
+  const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
+  stage_limit_ = family_.stages_within_rounding(finishing && !by_change ? rtol_ / state_over_change : rtol_);
   for (auto* v : {&scheme_.m, &scheme_.n, &scheme_.mt, &scheme_.gt, &scheme_.c})
     v->reserve(static_cast<std::size_t>(family_.most_stages) + 1);
   if (needs_radius() && rhs.traits().linear) radius_ = spectral_radius_.at(rhs, plan.t_begin, state_);
@@ -134,7 +138,7 @@ Outcome Stabilised::advance_fixed(double t_out) {
     try_step(t_next - t_);
     accept(t_next);
     if (scheme_.uses_first_derivative) (*rhs_)(t_, state_, derivative_);
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (guard_.stop_requested(t_)) return interrupted_at(t_);
     if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
   }
   return guard_.check(t_, state_);
@@ -154,13 +158,15 @@ double Stabilised::first_step(double largest) {
 }
 
 double Stabilised::estimate_error_of_finish(double h) {
-  const auto& e = scheme_.finish->estimate;
+  const auto& b = scheme_.finish->embedded;
   const auto& [f1, f2, f3, f4] = engine_.slopes();
-  return weights_.norm(
-      [&](std::size_t i) {
-        return h * (e[0] * f1[i] + e[1] * f2[i] + e[2] * f3[i] + e[3] * f4[i] + e[4] * next_derivative_[i]);
-      },
-      state_, engine_.result());
+  const auto& next = engine_.result();
+  return scheme_.finish->estimate_scale *
+         weights_.norm(
+             [&](std::size_t i) {
+               return next[i] - state_[i] - h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]);
+             },
+             state_, next);
 }
 
 /// Weighted error of the trial step, from its finishing procedure when it has one, else from both ends'
@@ -170,9 +176,9 @@ double Stabilised::estimate_error_of_finish(double h) {
 double Stabilised::estimate_error(double h) {
   const auto& y = state_;
   const auto& next = engine_.result();
-  (*rhs_)(t_ + h, next, next_derivative_);
   weights_.widen(next);
   if (scheme_.finish) return estimate_error_of_finish(h);
+  (*rhs_)(t_ + h, next, next_derivative_);
   if (family_.order == 1) {
     const double factor = (0.5 - taylor_coefficient(scheme_, 2)) * h;
     return weights_.norm([&](std::size_t i) { return factor * (next_derivative_[i] - derivative_[i]); }, y,
@@ -208,15 +214,16 @@ Outcome Stabilised::advance_adaptive(double t_out) {
       ++statistics_.rejected;
       step_ = controller_.after_rejection(h, error);
       radius_ = spectral_radius_.at(*rhs_, t_, state_);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (guard_.stop_requested(t_)) return interrupted_at(t_);
       continue;
     }
     accept(h == remaining ? t_out : t_ + h);
+    if (scheme_.finish) (*rhs_)(t_, state_, next_derivative_);
     std::swap(derivative_, next_derivative_);
     const double next_step = controller_.after_acceptance(h, error);
     step_ = h < step_ ? std::max(step_, next_step)
                       : next_step;  // a shortened step says nothing against the planned one
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (guard_.stop_requested(t_)) return interrupted_at(t_);
     if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
   }
   return guard_.check(t_, state_);

@@ -42,7 +42,7 @@ class Stabilised final : public Integrator {
 
   const StabilisedFamily& family_;
   double rtol_, atol_, fixed_step_;
-  int fixed_stages_, stage_limit_;
+  int fixed_stages_, stage_limit_ = 0;
   Rhs* rhs_ = nullptr;
   RunGuard guard_;
   ProbeRecorder recorder_;

@@ -163,7 +163,9 @@ ThreeTermScheme StabilisedFamily::scheme(int stages) const {
 
 int StabilisedFamily::stages_within_rounding(double rtol) const {
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-  const double limit = std::pow(rtol / (10 * unit_roundoff * rounding_factor), 1.0 / rounding_power);
+  constexpr double loosest = 1e-5;  // sums over many neighbours round more often than once
+  const double limit =
+      std::pow(std::min(rtol, loosest) / (10 * unit_roundoff * rounding_factor), 1.0 / rounding_power);
   return std::clamp(static_cast<int>(std::min<double>(limit, most_stages)), fewest_stages + 2, most_stages);
 }
 

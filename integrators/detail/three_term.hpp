@@ -15,13 +15,14 @@ namespace superstep {
 
 /// Four explicit stages that start from the result G_1 of the recurrence with its r stages:
 ///   G_i = G_1 + h sum_{j<i} a_ij F(G_j),   y_{n+1} = G_1 + h sum_i b_i F(G_i)
-///   error = h (sum_i estimate_i F(G_i) + estimate_5 F(y_{n+1}))
+///   error = estimate_scale (y_{n+1} - y_n - h sum_i embedded_i F(G_i))
 /// G_i is stage r + i - 1 of the scheme: its time is c_{r+i-1} h.
 struct FinishingProcedure {
   static constexpr int stages = 4;
   std::array<std::array<double, 3>, 3> a{};  ///< rows of G_2, G_3, G_4
   std::array<double, 4> b{};
-  std::array<double, 5> estimate{};  ///< of an embedded method one order lower
+  std::array<double, 4> embedded{};  ///< a result one order lower
+  double estimate_scale = 1;
 };
 
 /// Coefficients of one method with s stages; entry 0 of each array is unused.
@@ -54,6 +55,9 @@ class ThreeTermEngine {
   /// One step from y0 over h. `f0` = f(t, y0) when the scheme uses it, else may be empty (the engine sweeps
   /// for itself).
   ///   inflow  when not null, gains the inflow integrated by the same recurrence
+  /// With a finishing procedure the stages are kept as changes from y0: their roundings, which the finish
+  /// multiplies, are then those of the change. Linear autonomous right-hand sides are even evaluated at the
+  /// change.
   /// The result is in `result()` until the next call; y0 is left as it is.
   void step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
             std::span<const double> f0, double* inflow);
@@ -62,9 +66,10 @@ class ThreeTermEngine {
   [[nodiscard]] const std::array<std::vector<double>, 4>& slopes() const noexcept { return slopes_; }
 
  private:
-  void finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, double* inflow);
+  void step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
+                        std::span<const double> y0, std::span<const double> f0, double* inflow);
 
-  std::vector<double> result_, previous_;
+  std::vector<double> result_, previous_, argument_;
   std::array<std::vector<double>, 4> slopes_;
 };
 
