@@ -25,8 +25,8 @@ struct RockPolynomial {
   [[nodiscard]] std::array<double, 5> weight() const;
 };
 
-/// Polynomial of degree `stages` (fewest ... most). Solved at the first call (0.1 ms at 20 stages, some ms at
-/// 200) and kept; calls from several threads are safe.
+/// Polynomial of degree `stages` (fewest ... most). Solved at the first call (less than 0.1 ms at 20 stages,
+/// about 2 ms at 200) and kept; calls from several threads are safe.
 [[nodiscard]] const RockPolynomial& rock_polynomial(int stages);
 
 /// Sets m, n, mt of the recurrence for P_{s-4}; the arrays must have room.
