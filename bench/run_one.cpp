@@ -36,6 +36,7 @@ Plan plan_of(const Scene& scene, const RunRequest& request, RunResult& result) {
   }
   plan.track_inflow = request.track_inflow;
   plan.stop = request.stop;
+  if (request.progress) plan.reached = request.progress->watched();
   if (request.probes && !request.probes->entries().empty()) {
     plan.probes = request.probes->entries();
     result.history = request.probes->history();

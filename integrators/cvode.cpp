@@ -175,7 +175,7 @@ Outcome CvodeBdf::failure(int flag) const {
 
 Outcome CvodeBdf::advance(double t_out) {
   while (t_internal_ < t_out) {
-    if (guard_.stop_requested()) return interrupted_at(t_internal_);
+    if (guard_.stop_requested(t_internal_)) return interrupted_at(t_internal_);
     const int flag = CVode(cvode_.get(), t_out, y_.get(), &t_internal_, CV_ONE_STEP);
     if (flag < 0) {
       collect_counts();

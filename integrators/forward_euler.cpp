@@ -36,7 +36,7 @@ class ForwardEuler final : public Integrator {
     auto steps = steps_to_cover(t_out - t_in, step_);
     for (std::uint64_t k = 1; k <= steps; ++k) {
       take_step(k == steps ? t_out : t_in + static_cast<double>(k) * step_);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (guard_.stop_requested(t_)) return interrupted_at(t_);
       if (k % RunGuard::stride != 0) continue;
       if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
       if (!critical_step_.may_have_changed(*rhs_, t_, state_)) continue;

@@ -104,7 +104,7 @@ class SuperTimeStepping final : public Integrator {
     for (std::uint64_t k = 1; k <= steps; ++k) {
       // The last superstep before an output time keeps n and scales all substeps.
       take_superstep(k == steps ? t_out : t_in + static_cast<double>(k) * superstep_);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (guard_.stop_requested(t_)) return interrupted_at(t_);
       if (k % supersteps_per_check != 0) continue;
       if (Outcome outcome = guard_.check(t_, state()); !outcome.ok()) return outcome;
       if (!critical_step_.may_have_changed(*rhs_, t_, state())) continue;

@@ -75,7 +75,7 @@ Outcome BatchPropagator::compute_batch() {
 }
 
 Outcome BatchPropagator::advance(double t_out) {
-  if (guard_.stop_requested()) return interrupted_at(t_);
+  if (guard_.stop_requested(t_)) return interrupted_at(t_);
   const std::size_t instants = plan_.history ? history_per_output : 1;
   if (next_output_ == batch_begin_ + batch_size_) {
     if (current_ != &first_state_ && !current_->empty())

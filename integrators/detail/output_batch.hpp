@@ -37,7 +37,7 @@ class BatchPropagator : public Integrator {
   [[nodiscard]] const Plan& plan() const noexcept { return plan_; }
   [[nodiscard]] std::span<const double> origin() const noexcept { return *origin_; }
   [[nodiscard]] double radius() const noexcept { return radius_; }
-  [[nodiscard]] bool stop_requested() const noexcept { return guard_.stop_requested(); }
+  [[nodiscard]] bool stop_requested() const noexcept { return guard_.stop_requested(t_); }
   [[nodiscard]] double now() const noexcept { return t_batch_; }
   /// Results of a network in which nothing exchanges anything: values grow by their sources.
   [[nodiscard]] Outcome no_exchange(std::span<Output> outputs);

@@ -19,6 +19,7 @@ void RunGuard::prepare(const Rhs& rhs, const Plan& plan) {
   source_rate_.clear();
   for (std::size_t f = 0; f < rhs.fields().size(); ++f) source_rate_.push_back(rhs.source_rate(f));
   stop_ = plan.stop;
+  reached_ = plan.reached;
 }
 
 Outcome RunGuard::check(double t, std::span<const double> y) const {
