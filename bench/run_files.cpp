@@ -48,6 +48,13 @@ void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& hist
   append(out, "\n");
 }
 
+/// Resistance, current and heat of a scene whose potential is steady: they cost one solve more.
+std::optional<ElectrodeFacts> steady_facts(const Scene& scene) {
+  for (const auto& field : scene.fields)
+    if (field.steady) return electrode_facts(field);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string final_csv(const Scene& scene, double t, std::span<const double> state) {
@@ -109,6 +116,9 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .jacobians = run.jacobians,
           .factorizations = run.statistics.factorizations,
           .solves = run.statistics.solves,
+          .potential_solves = run.potential_solves,
+          .settled_at = run.settled_at,
+          .electrodes = steady_facts(scene),
           .max_stages = run.statistics.max_stages,
           .cpu_prepare = run.cpu_prepare,
           .cpu_stepping = run.cpu_stepping,

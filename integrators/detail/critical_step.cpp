@@ -47,7 +47,7 @@ CriticalStep::CriticalStep(const Options& options) {
 }
 
 bool CriticalStep::may_have_changed(Rhs& rhs, double t, std::span<const double> y) const {
-  const bool settled = rhs.settle(t, y);
+  const bool settled = rhs.settle(t, y, 0);
   return rule_ == Rule::fraction && (settled || !rhs.traits().constant_jacobian);
 }
 

@@ -33,12 +33,13 @@ void BatchPropagator::prepare(Rhs& rhs, const Plan& plan) {
   allocate(outputs_.size());
 }
 
-void BatchPropagator::start(double t, std::span<const double> y) {
+void BatchPropagator::start_at(double t, std::span<const double> y, std::size_t next_output) {
   rhs_->restart(t);
   std::copy(y.begin(), y.end(), first_state_.begin());
   origin_ = current_ = &first_state_;
   t_ = t_batch_ = t;
-  next_output_ = batch_begin_ = batch_size_ = 0;
+  next_output_ = batch_begin_ = next_output;
+  batch_size_ = 0;
   inflow_before_ = 0;
   statistics_ = {};
 }

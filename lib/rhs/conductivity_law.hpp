@@ -19,7 +19,7 @@ struct ConductivityLaw {
   double reference = 0;    ///< K
   double amplitude = 0;    ///< -, > -1
   double steepness = 0;    ///< 1/K
-  std::vector<double> temperatures, values;
+  std::vector<double> temperatures = {}, values = {};
 
   [[nodiscard]] bool varies() const noexcept { return kind != Kind::constant; }
   [[nodiscard]] double at(double temperature) const noexcept;

@@ -102,6 +102,12 @@ void combine(const Stage& stage, std::span<double> out) noexcept {
   }
 }
 
+double rms_distance(std::span<const double> a, std::span<const double> b) noexcept {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, a.size())));
+}
+
 Stage shifted(const Stage& stage, std::size_t offset) noexcept {
   Stage out = stage;
   out.y1 += offset;
@@ -118,44 +124,13 @@ bool FieldInput::varies() const noexcept {
                      [](const auto& law) { return law.varies(); });
 }
 
-/// Follows the norm of dV/dt. Late in a transient its slowest mode is left, so that norm/decay rate is what
-/// the potential will still change by.
-class NonlinearRhs::Watch {
- public:
-  void restart(double t) noexcept {
-    t_before_ = t;
-    norm_before_ = 0;
-  }
-  /// Worth a look: time has gone on by a twentieth since the last one.
-  [[nodiscard]] bool due(double t) const noexcept { return norm_before_ == 0 || t >= 1.05 * t_before_; }
-  /// Remaining change for the norm at t; infinity while the decay cannot be told yet.
-  [[nodiscard]] double remaining(double t, double norm) noexcept {
-    const double decay = norm > 0 && norm_before_ > norm ? std::log(norm_before_ / norm) : 0;
-    const double elapsed = t - t_before_;
-    if (norm > 0 && norm_before_ > 0 && decay < 0.1) {
-      if (norm_before_ < norm) restart(t);  // still rising: begin anew
-      return std::numeric_limits<double>::infinity();
-    }
-    const double out = norm == 0           ? 0
-                       : norm_before_ == 0 ? std::numeric_limits<double>::infinity()
-                                           : norm * elapsed / decay;
-    t_before_ = t;
-    norm_before_ = norm;
-    return out;
-  }
-
- private:
-  double t_before_ = 0, norm_before_ = 0;
-};
-
 NonlinearRhs::NonlinearRhs(NonlinearInput input)
     : Rhs(size_of(input), traits_of(input), views_of(input)),
       pair_step_(input.temperature.pair_step),
       settle_tolerance_(input.settle_tolerance),
       temperature_offset_(potential_in_state(input) ? input.potential->network.size() : 0),
       slot_of_node_(number_slots(input.temperature.network)),
-      radiates_(!input.temperature.network.radiation.empty()),
-      watch_(std::make_unique<Watch>()) {
+      radiates_(!input.temperature.network.radiation.empty()) {
   if (potential_in_state(input)) capacity_ = input.potential->network.capacity;
   const auto& thermal_capacity = input.temperature.network.capacity;
   capacity_.insert(capacity_.end(), thermal_capacity.begin(), thermal_capacity.end());
@@ -204,14 +179,12 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
   row_of_potential_slot_.assign(slot_of_node_.size(), -1);
   for (std::size_t row = 0; row < electric_->size(); ++row)
     row_of_potential_slot_[at(potential_slots_->slot_of_row(row))] = static_cast<std::int32_t>(row);
-  potential_derivative_.resize(electric_->size());
+  seen_potential_.reserve(electric_->size());
   driver_ =
       std::make_unique<NetworkRhs>(electric_, "potential", "V", potential.pair_step, mutable_counters());
   driven_ = std::make_unique<NetworkRhs>(thermal_, "temperature", "K", input.temperature.pair_step,
                                          mutable_counters());
 }
-
-NonlinearRhs::~NonlinearRhs() = default;
 
 const FieldOperator& NonlinearRhs::field_operator(std::size_t field) const noexcept {
   return steps_potential() && field == 0 ? *electric_ : *thermal_;
@@ -423,17 +396,21 @@ void NonlinearRhs::drive(std::span<const double> rate) {
   static_cast<NetworkRhs&>(*driven_).drive(rate);
 }
 
-bool NonlinearRhs::settle(double t, std::span<const double> y) {
+bool NonlinearRhs::settle(double t, std::span<const double> y, double accuracy) {
   const bool possible = settle_tolerance_ > 0 && one_way() && electric_->network().inputs_are_constant();
-  if (!possible || settled_ || !watch_->due(t)) return false;
-  auto& derivative = potential_derivative_;
-  electric_->stage(t, {.y1 = y.data(), .a = 0, .d = 1}, derivative.data());
-  ++mutable_counters().sweeps;
-  const auto& capacity = electric_->network().capacity;
-  double sum = 0;
-  for (std::size_t i = 0; i < derivative.size(); ++i) sum += capacity[i] * derivative[i] * derivative[i];
-  const double norm = std::sqrt(sum / electric_->total_capacity());
-  if (!(watch_->remaining(t, norm) <= settle_tolerance_ * potential_span_)) return false;
+  if (!possible || settled_ || t < next_look_) return false;
+  const auto potential = y.first(temperature_offset_);
+  const double allowed = std::max(settle_tolerance_, accuracy) * potential_span_;
+  if (next_look_ == 0 || !(rms_distance(potential, seen_potential_) <= allowed)) {
+    // It still moves between looks: come back after a tenth of the time that has gone by.
+    seen_potential_.assign(potential.begin(), potential.end());
+    next_look_ = 1.1 * t;
+    return false;
+  }
+  if (final_potential_.empty())
+    final_potential_ = approximate_steady_state(electric_->network(), 1e-2 * settle_tolerance_);
+  next_look_ = 1.1 * t;
+  if (!(rms_distance(potential, final_potential_) <= allowed)) return false;
   update_joule(t, y.data());
   settled_ = true;
   settled_at_ = t;
@@ -442,8 +419,8 @@ bool NonlinearRhs::settle(double t, std::span<const double> y) {
   return true;
 }
 
-void NonlinearRhs::restart(double t) {
-  watch_->restart(t);
+void NonlinearRhs::restart(double /*t*/) {
+  next_look_ = 0;
   if (!settled_) return;
   settled_ = false;
   networks_swept_ = 2;

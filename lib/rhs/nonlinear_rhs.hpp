@@ -37,7 +37,6 @@ struct NonlinearInput {
 class NonlinearRhs final : public Rhs, public OneWayCoupling {
  public:
   explicit NonlinearRhs(NonlinearInput input);
-  ~NonlinearRhs() override;
 
   [[nodiscard]] double spectral_bound(double t, std::span<const double> y) override;
   [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
@@ -48,7 +47,7 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] double source_rate(std::size_t field) const override;
   [[nodiscard]] double mean_source_rate(std::size_t field) override;
   [[nodiscard]] OneWayCoupling* one_way() override;
-  bool settle(double t, std::span<const double> y) override;
+  bool settle(double t, std::span<const double> y, double accuracy) override;
   void restart(double t) override;
 
   // OneWayCoupling
@@ -66,8 +65,6 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] std::span<const double> steady_potential(double t, std::span<const double> temperature);
 
  private:
-  class Watch;  ///< decides when the potential is steady
-
   void do_stage(double t, const Stage& stage, std::span<double> out) override;
   void do_linear_stage(const Stage& stage, std::span<double> out) override;
   void do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) override;
@@ -101,14 +98,15 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   std::unique_ptr<SteadyPotential> steady_;
   std::optional<JouleHeat> joule_;
   std::vector<std::int32_t> row_of_potential_slot_;  ///< [slots] -1 = not a row
-  std::vector<double> potential_derivative_, own_sum_, cross_sum_;
-  std::vector<double> joule_rate_;  ///< [temperature rows] K/s
-  double settled_at_ = 0;
+  std::vector<double> own_sum_, cross_sum_;
+  std::vector<double> seen_potential_;   ///< at the last look for settling
+  std::vector<double> final_potential_;  ///< the steady one, worked out when it seems to be reached
+  std::vector<double> joule_rate_;       ///< [temperature rows] K/s
+  double settled_at_ = 0, next_look_ = 0;
   double thermal_bound_ = 0, electric_bound_ = 0;  ///< of constant conductances [1/s]
   double largest_joule_rate_ = 0;
   std::optional<double> mean_joule_rate_;  ///< worked out when somebody asks
   bool settled_ = false, radiates_ = false;
-  std::unique_ptr<Watch> watch_;
   std::unique_ptr<Rhs> driver_, driven_;
   JacobianAssembly assembly_;
 };

@@ -125,10 +125,11 @@ class Rhs {
   /// The two halves of a scene in which one field drives the other through sources alone; null elsewhere.
   [[nodiscard]] virtual OneWayCoupling* one_way() { return nullptr; }
 
-  /// Looks whether a driving field has become steady within the scene's tolerance. Returns true when it stops
-  /// being stepped from now on: its values stay, sweeps and the spectrum shrink, `values_version` changes.
-  /// Cheap to call at any step end.
-  virtual bool settle(double /*t*/, std::span<const double> /*y*/) { return false; }
+  /// Looks whether a driving field has become steady within the scene's tolerance, or within the `accuracy`
+  /// of the method (relative to its span) if that is coarser. Returns true when it stops being stepped from
+  /// now on: its values stay, sweeps and the spectrum shrink, `values_version` changes. Cheap to call at any
+  /// step end.
+  virtual bool settle(double /*t*/, std::span<const double> /*y*/, double /*accuracy*/) { return false; }
   /// False for a field that has settled.
   [[nodiscard]] virtual bool steps(std::size_t /*field*/) const noexcept { return true; }
   /// Time since which a field is not stepped any more [s]; nothing while all are.

@@ -35,10 +35,10 @@ std::vector<std::string> range_warnings(const Scene& scene) {
                                 packed.neck_report.limited, packed.contacts.size()));
   }
   for (const auto& field : scene.fields)
-    if (field.floating_clusters > 0)
-      out.push_back(
-          fmt::format("{} clusters without a fixed {} are integrated; they keep their heat or charge",
-                      field.floating_clusters, field.name));
+    if (field.floating_clusters > 0 && !field.steady && field.graph.convection.empty() &&
+        field.graph.radiation.empty())
+      out.push_back(fmt::format("{} cluster(s) without a fixed {} are integrated; what enters them stays",
+                                field.floating_clusters, field.name));
   return out;
 }
 
