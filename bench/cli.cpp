@@ -55,6 +55,7 @@ Command make_work_precision(const Arguments& values) {
   command.common = common_options(values);
   command.case_files = values.cases;
   command.out = values.out;
+  command.report = values.report;
   command.options.integrators = values.integrators;
   command.options.reference = values.reference;
   command.options.use_cache = !values.no_cache;
@@ -69,6 +70,7 @@ Command make_bench(const Arguments& values) {
   command.common = common_options(values);
   command.case_files = values.cases;
   command.out = values.out;
+  command.report = values.report;
   command.harness.integrators = values.integrators;
   if (!values.reference.empty()) command.harness.reference = values.reference;
   command.harness.use_cache = !values.no_cache;
@@ -124,6 +126,12 @@ Command make_pack(const Arguments& values) {
   return command;
 }
 
+Command make_report(const Arguments& values) {
+  if (values.cases.empty())
+    throw UsageError("report: a folder of results is missing; see superstep report --help");
+  return ReportCommand{.common = common_options(values), .folder = single_case(values, "report")};
+}
+
 }  // namespace
 
 Command parse_command_line(const std::vector<std::string>& arguments) {
@@ -133,6 +141,7 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   if (values.command == "info") return InfoCommand{common_options(values), single_case(values, "info")};
   if (values.command == "stability") return make_stability(values);
   if (values.command == "pack") return make_pack(values);
+  if (values.command == "report") return make_report(values);
   if (values.command == "list") return ListCommand{common_options(values)};
   return ShowText{values.text};
 }

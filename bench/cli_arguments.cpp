@@ -107,7 +107,16 @@ void add_bench(CLI::App& app, Arguments& values) {
       ->type_name("SPEC");
   command.add_flag("--work-precision", values.work_precision,
                    "sweep every method over tolerances and steps; say who is fastest at each error");
+  command.add_flag("--report", values.report, "write report.html beside the results as well");
   command.add_flag("--no-cache", values.no_cache, "neither read nor write cached references");
+}
+
+void add_report(CLI::App& app, Arguments& values) {
+  auto& command =
+      add_command(app, values, "report", "one HTML file from the results of bench, run and stability",
+                  "  superstep report reports/out/nial_thermal\n"
+                  "  superstep bench cases/nial_thermal.toml --out result && superstep report result");
+  command.add_option("DIR", values.cases, "folder with results.json, run.json or both")->type_name("");
 }
 
 void add_info(CLI::App& app, Arguments& values) {
@@ -176,6 +185,7 @@ void add_commands(CLI::App& app, Arguments& values) {
   add_info(app, values);
   add_stability(app, values);
   add_pack(app, values);
+  add_report(app, values);
   add_command(app, values, "list", "integrators with their keys, neck laws and cases",
               "  superstep list\n  superstep list --json");
 }

@@ -19,7 +19,7 @@ struct Arguments {
   std::vector<std::string> cases, integrators;
   std::string tolerance, out, reference;
   std::optional<std::string> repetitions;
-  bool no_cache = false, work_precision = false, quick = false;
+  bool no_cache = false, work_precision = false, quick = false, report = false;
 
   std::string container = "cylinder", diameter, width, depth, height, count, relative_density, sizes,
               seed = "1", length_unit = "m", file;

@@ -32,7 +32,8 @@ struct BenchCommand {
   CommonOptions common;
   std::vector<std::string> case_files;
   HarnessOptions harness;
-  std::string out;  ///< folder; empty = default_output_folder
+  std::string out;      ///< folder; empty = default_output_folder
+  bool report = false;  ///< write report.html as well
 };
 
 /// superstep bench --work-precision
@@ -40,7 +41,8 @@ struct WorkPrecisionCommand {
   CommonOptions common;
   std::vector<std::string> case_files;
   WorkPrecisionOptions options;
-  std::string out;  ///< folder; empty = default_output_folder
+  std::string out;      ///< folder; empty = default_output_folder
+  bool report = false;  ///< write report.html as well
 };
 
 struct InfoCommand {
@@ -65,13 +67,19 @@ struct ListCommand {
   CommonOptions common;
 };
 
+/// superstep report
+struct ReportCommand {
+  CommonOptions common;
+  std::string folder;
+};
+
 /// --help and --version.
 struct ShowText {
   std::string text;
 };
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
-                             PackCommand, ListCommand, ShowText>;
+                             PackCommand, ListCommand, ReportCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
@@ -81,6 +89,7 @@ int execute(const InfoCommand& command);
 int execute(const StabilityCommand& command);
 int execute(const PackCommand& command);
 int execute(const ListCommand& command);
+int execute(const ReportCommand& command);
 int execute(const ShowText& command);
 
 }  // namespace superstep

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/observations.hpp"
+
 namespace superstep {
 
 /// A measured number; empty = not measured or not applicable.
@@ -70,6 +72,7 @@ struct BenchCase {
   std::vector<BenchRow> rows;
   std::vector<std::string> warnings;
   std::vector<SkippedWork> skips;
+  CaseObservations observations;  ///< for charts; not part of results.json
 };
 
 /// A named fact about the machine or the build, in the order in which it is shown.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/options.hpp"
 #include "reports/results.hpp"
 
 namespace superstep {
@@ -29,6 +30,10 @@ struct WorkPrecision {
   std::vector<double> output_times;  ///< s
   std::vector<WorkPrecisionPoint> points;
 };
+
+/// What a SPEC has in common with its neighbours on a ladder: name and settings without the ones that ladders
+/// step through.
+[[nodiscard]] std::string family_of(const Spec& spec);
 
 /// The fastest method that reaches an error level.
 struct LevelWinner {
