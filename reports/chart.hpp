@@ -21,6 +21,7 @@ struct ChartSeries {
   std::string name;
   Look look;
   Kind kind = Kind::line;
+  bool in_legend = true;
   std::vector<double> x{}, y{};      ///< same length; NaN, and what a logarithm cannot show, is left out
   std::vector<std::string> notes{};  ///< what a point tells when it is pointed at; empty or one per point
 };

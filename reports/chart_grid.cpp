@@ -13,7 +13,7 @@
 namespace superstep {
 namespace {
 
-constexpr double width = 480, cell_height = 26, top = 24, left = 92, bottom_room = 30;
+constexpr double width = 480, cell_height = 26, top = 24, left = 122, bottom_room = 30;
 
 std::string grid_svg(const GridChart& chart) {
   const auto columns = static_cast<double>(std::max<std::size_t>(1, chart.columns.size()));
@@ -25,7 +25,7 @@ std::string grid_svg(const GridChart& chart) {
              {"middle"});
   for (std::size_t r = 0; r < chart.rows.size(); ++r) {
     const double y = top + cell_height * static_cast<double>(r);
-    svg.text(left - 8, y + cell_height / 2 + 4, shortened(chart.rows[r], 13), {"end"});
+    svg.text(left - 8, y + cell_height / 2 + 4, shortened(chart.rows[r], 18), {"end"});
     for (std::size_t c = 0; c < chart.columns.size(); ++c) {
       const auto& cell = chart.cells[r * chart.columns.size() + c];
       if (!cell) continue;

@@ -13,6 +13,12 @@ namespace {
 constexpr double wanted_ticks = 5;
 constexpr int most_decades = 7;  // with a label each
 
+/// Labels of decades: all of them powers where there are many.
+std::string decade_text(int power, bool many) {
+  if (!many || (power >= 0 && power <= 1)) return number_text(std::pow(10.0, power), 1);
+  return power_text(power);
+}
+
 /// 1, 2 or 5 times a power of ten that cuts `span` into about five.
 double round_step(double span) {
   const double raw = span / wanted_ticks, power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -70,7 +76,7 @@ void ChartScale::make_logarithmic(const ChartAxis& axis) {
   for (int power = first; power <= last; ++power) {
     const double value = std::pow(10.0, power);
     if (value < low_ * (1 - 1e-9) || value > high_ * (1 + 1e-9)) continue;
-    ticks_.push_back({value, (power - first) % stride == 0 ? number_text(value, 1) : ""});
+    ticks_.push_back({value, (power - first) % stride == 0 ? decade_text(power, last - first > 4) : ""});
     if (last - first > 2) continue;
     for (int digit = 2; digit < 10; ++digit)
       if (digit * value <= high_)

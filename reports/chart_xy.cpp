@@ -50,6 +50,7 @@ std::vector<LegendEntry> legend_of(const Chart& chart) {
   double x = 8;
   int row = 0;
   for (const auto& series : chart.series) {
+    if (!series.in_legend) continue;
     const double needed = sample + text_width(shortened(series.name, longest_name)) + gap;
     if (x > 8 && x + needed > width) {
       x = 8;

@@ -29,13 +29,6 @@ std::size_t sequence_length(std::string_view text) noexcept {
   return length;
 }
 
-std::string superscript(int power) {
-  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string out;
-  for (const char c : fmt::format("{}", power)) out += c == '-' ? "⁻" : digits[c - '0'];
-  return out;
-}
-
 }  // namespace
 
 std::string valid_utf8(std::string_view text) {
@@ -85,12 +78,20 @@ std::string shortened(std::string_view text, std::size_t most) {
   return valid.substr(0, end) + "…";
 }
 
+std::string power_text(int power) {
+  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out = "10";
+  for (const char c : fmt::format("{}", power)) out += c == '-' ? "⁻" : digits[c - '0'];
+  return out;
+}
+
 std::string number_text(double value, int digits) {
   if (!std::isfinite(value)) return value > 0 ? "∞" : value < 0 ? "−∞" : "not a number";
   const double size = std::abs(value);
   if (value == 0) return "0";
   if (size >= 1e-3 && size < 1e5)
-    return fmt::format("{:.{}g}", value, size >= 1e3 ? std::max(digits, 5) : digits);
+    return size >= std::pow(10.0, digits) ? fmt::format("{:.0f}", value)
+                                          : fmt::format("{:.{}g}", value, digits);
   const std::string scientific = fmt::format("{:.{}e}", value, digits - 1);
   const auto e = scientific.find('e');
   std::string mantissa = scientific.substr(0, e);
@@ -98,7 +99,7 @@ std::string number_text(double value, int digits) {
     mantissa.erase(mantissa.find_last_not_of('0') + 1);
     if (mantissa.ends_with('.')) mantissa.pop_back();
   }
-  const std::string power = "10" + superscript(std::stoi(scientific.substr(e + 1)));
+  const std::string power = power_text(std::stoi(scientific.substr(e + 1)));
   if (mantissa == "1") return power;
   return mantissa + "·" + power;
 }

@@ -24,7 +24,10 @@ namespace superstep {
 ///   digits  significant digits
 [[nodiscard]] std::string number_text(double value, int digits = 3);
 
-/// An integer with thin blanks between groups of three digits.
+/// 10 to a power, with a superscript.
+[[nodiscard]] std::string power_text(int power);
+
+/// An integer with blanks between groups of three digits.
 [[nodiscard]] std::string count_text(std::uint64_t value);
 
 }  // namespace superstep

@@ -25,9 +25,10 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
   return out.append(page);
 }
 
-std::string case_html(const CaseInput& input, const std::string& id) {
+// The only case of a page has its name at the top already.
+std::string case_html(const CaseInput& input, const std::string& id, bool only) {
   const BenchCase& one = input.bench;
-  const std::string title = one.title.empty() ? one.name : one.title;
+  const std::string title = only ? "The benchmark" : one.title.empty() ? one.name : one.title;
   std::string out = fmt::format("<article id=\"{}\">\n<h2>{}</h2>\n", id, html_text(title));
   out += answer_section(input, id) + case_section(input, id) + results_section(input, id) +
          speed_section(input, id);
@@ -40,7 +41,7 @@ std::string case_html(const CaseInput& input, const std::string& id) {
 std::string body_of(const ReportInput& input) {
   std::string out;
   for (std::size_t k = 0; k < input.cases.size(); ++k)
-    out += case_html(input.cases[k], fmt::format("case-{}", k + 1));
+    out += case_html(input.cases[k], fmt::format("case-{}", k + 1), input.cases.size() == 1);
   std::string rest;
   for (std::size_t k = 0; k < input.other_studies.size(); ++k)
     rest += work_precision_section(input.other_studies[k], fmt::format("study-{}", k + 1));

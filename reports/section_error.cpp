@@ -57,7 +57,8 @@ ChartSeries fit_series(const LookedCurve& one, double rate, const TimeUnit& unit
     ++count;
   }
   ChartSeries series{.name = fmt::format("fit of {}", curve.spec),
-                     .look = {one.look.colour, "1 3", Marker::none}};
+                     .look = {one.look.colour, "1 3", Marker::none},
+                     .in_legend = false};
   if (count == 0) return series;
   const double scale = std::exp(sum / count), end = curve.time[curve.transient - 1];
   constexpr int pieces = 40;
@@ -69,13 +70,19 @@ ChartSeries fit_series(const LookedCurve& one, double rate, const TimeUnit& unit
   return series;
 }
 
+/// Errors begin at 0: what is more than five decades below the largest one would only squeeze the rest.
+Number low_end(const Chart& chart) {
+  double largest = 0;
+  for (const auto& series : chart.series)
+    for (const double error : series.y) largest = std::max(largest, error);
+  if (!(largest > 0)) return std::nullopt;
+  return std::pow(10.0, std::floor(std::log10(largest)) - 5);
+}
+
 std::string panel_figure(const BenchCase& one, const CurvePanel& panel, bool logarithmic,
                          const std::string& id) {
   const ProbeCurve& first = *panel.curves.front().curve;
-  double end = 0;
-  for (const auto& curve : panel.curves)
-    if (curve.curve->transient > 0) end = std::max(end, curve.curve->time[curve.curve->transient - 1]);
-  const TimeUnit unit = time_unit(end);
+  const TimeUnit unit = time_unit(one.t_end);
   Chart chart{.id = id,
               .title = fmt::format("Error of {}{}", panel.title, logarithmic ? ", logarithmic" : ""),
               .caption = "",
@@ -84,9 +91,11 @@ std::string panel_figure(const BenchCase& one, const CurvePanel& panel, bool log
   for (const auto& curve : panel.curves) {
     if (curve.curve->reference.empty() || curve.curve->transient == 0) continue;
     chart.series.push_back(error_series(curve, unit));
-    if (const auto rate = decay_rate(one, *curve.curve))
+    const auto rate = decay_rate(one, *curve.curve);
+    if (rate && *rate > 0)  // a fit that grows describes nothing
       if (auto fit = fit_series(curve, *rate, unit); !fit.x.empty()) chart.series.push_back(std::move(fit));
   }
+  if (logarithmic) chart.y.low = low_end(chart);
   return chart.series.empty() ? "" : chart_figure(chart);
 }
 
@@ -104,7 +113,7 @@ std::string error_section(const CaseInput& input, const std::string& id) {
   return html_section(
       id + "-errors", "How the error dies away",
       "Difference to the reference at the probe during the transient, that is until the reference stays "
-      "within 1 % of its final value. Dotted: the fit Z exp(-k t).",
+      "within 1 % of its final value. Dotted: the fit Z exp(-k t), where the error falls.",
       figure_row(figures));
 }
 

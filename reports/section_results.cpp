@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/html_parts.hpp"
 #include "reports/html_text.hpp"
@@ -44,6 +45,17 @@ std::string summary_words(const BenchCase& one) {
                        number_text(row->cpu_total->median), speedup_words(*row, one));
   if (!one.reference) out += " No reference: how accurate the methods are was not measured.";
   return out;
+}
+
+/// What the sweep over all methods says, at an error that is common in practice.
+std::string sweep_words(const WorkPrecision& study) {
+  constexpr double common = 1e-3;
+  for (const auto& level : winners(study))
+    if (level.winner && std::abs(level.level - common) < 1e-9)
+      return fmt::format(
+          " In the sweep over all methods below, {} is the fastest that keeps an error of {} of the span.",
+          level.winner->spec, number_text(common, 1));
+  return {};
 }
 
 // One line per accuracy that some run of the benchmark reaches.
@@ -170,8 +182,10 @@ std::string answer_section(const CaseInput& input, const std::string& id) {
   if (one.rows.empty())
     return html_section(id + "-answer", "The answer", "", "<p>No run was measured.</p>\n");
   const std::string table = accuracy_table(one);
+  const std::string words =
+      summary_words(one) + (input.work_precision ? sweep_words(*input.work_precision) : "");
   return html_section(id + "-answer", "The answer", "",
-                      fmt::format("<p class=\"lead\">{}</p>\n{}", html_text(summary_words(one)), table));
+                      fmt::format("<p class=\"lead\">{}</p>\n{}", html_text(words), table));
 }
 
 std::string results_section(const CaseInput& input, const std::string& id) {

@@ -70,12 +70,13 @@ void add_euler(Chart& chart, std::vector<double> x, std::vector<double> y) {
 }
 
 std::string substeps_figure(const Choices& choices, int n, const std::string& id) {
-  Chart chart{
-      .id = fmt::format("{}-substeps-{}", id, n),
-      .title = fmt::format("Substeps of a superstep, N = {}", n),
-      .caption = "Long ones would be unstable alone; the short ones that follow damp what they excite.",
-      .x = {.label = "substep j"},
-      .y = {.label = "substep / critical step"}};
+  Chart chart{.id = fmt::format("{}-substeps-{}", id, n),
+              .title = fmt::format("Substeps of a superstep, N = {}", n),
+              .caption =
+                  "Logarithmic. Long ones would be unstable alone; the short ones that follow damp what "
+                  "they excite.",
+              .x = {.label = "substep j", .low = 0.5, .high = n + 0.5},
+              .y = {.label = "substep / critical step", .logarithmic = true}};
   add_series(chart, choices, ChartSeries::Kind::columns, [&](double nu, ChartSeries& series) {
     series.y = superstep_substeps(n, nu);
     for (int j = 1; j <= n; ++j) series.x.push_back(j);
@@ -122,7 +123,7 @@ std::string response_figure(const Choices& choices, int n, const std::string& id
       .id = fmt::format("{}-response-{}", id, n),
       .title = fmt::format("What a superstep leaves of a mode, N = {}", n),
       .caption = "Stable while the amplification stays below 1; ν decides how firmly fast modes are damped.",
-      .x = {.label = "rate of the mode / fastest stable rate"},
+      .x = {.label = "rate of the mode / fastest stable rate", .low = 0.0, .high = 1.05},
       .y = {.label = "|amplification|", .logarithmic = true, .low = 1e-4, .high = 10.0}};
   constexpr int pieces = 400;
   add_series(chart, choices, ChartSeries::Kind::line, [&](double nu, ChartSeries& series) {
