@@ -26,6 +26,7 @@ struct RunCommand {
   std::vector<std::string> integrators;  ///< SPECs; empty = auto
   std::optional<double> tolerance;       ///< replaces rtol of every SPEC
   std::string out;                       ///< folder; empty = default_output_folder
+  bool vtk = false;                      ///< write particles and contacts for ParaView
 };
 
 struct BenchCommand {
@@ -71,6 +72,14 @@ struct ListCommand {
 struct ReportCommand {
   CommonOptions common;
   std::string folder;
+  bool markdown = false;  ///< print a summary
+  std::string against;    ///< folder of an earlier benchmark that the summary compares with; may be empty
+};
+
+/// superstep completion
+struct CompletionCommand {
+  CommonOptions common;
+  std::string shell;
 };
 
 /// --help and --version.
@@ -79,7 +88,7 @@ struct ShowText {
 };
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
-                             PackCommand, ListCommand, ReportCommand, ShowText>;
+                             PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
@@ -90,6 +99,7 @@ int execute(const StabilityCommand& command);
 int execute(const PackCommand& command);
 int execute(const ListCommand& command);
 int execute(const ReportCommand& command);
+int execute(const CompletionCommand& command);
 int execute(const ShowText& command);
 
 }  // namespace superstep
