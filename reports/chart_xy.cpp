@@ -13,7 +13,7 @@ namespace superstep {
 namespace {
 
 constexpr double width = 480, plot_height = 250;
-constexpr double left = 58, right = 14, top = 16, axis_room = 44, legend_row = 18;
+constexpr double left = 70, right = 14, top = 16, axis_room = 44, legend_row = 18;
 constexpr std::size_t longest_name = 46;
 constexpr std::size_t most_markers = 14;  // on one line
 constexpr const char* grid = R"(stroke="currentColor" stroke-opacity="0.14")";

@@ -38,6 +38,11 @@ std::string case_html(const CaseInput& input, const std::string& id, bool only) 
   return out + "</article>\n";
 }
 
+std::string general_title(const ReportInput& input) {
+  if (input.stability) return input.runs.empty() ? "Stability and machine" : "Stability, runs and machine";
+  return input.runs.empty() ? "Machine" : "Runs and machine";
+}
+
 std::string body_of(const ReportInput& input) {
   std::string out;
   for (std::size_t k = 0; k < input.cases.size(); ++k)
@@ -47,7 +52,7 @@ std::string body_of(const ReportInput& input) {
     rest += work_precision_section(input.other_studies[k], fmt::format("study-{}", k + 1));
   if (input.stability) rest += stability_section(*input.stability);
   rest += runs_section(input.runs) + machine_section(input);
-  return out + "<article id=\"general\">\n<h2>Stability, runs and machine</h2>\n" + rest + "</article>\n";
+  return out + fmt::format("<article id=\"general\">\n<h2>{}</h2>\n{}</article>\n", general_title(input), rest);
 }
 
 /// Links to the sections, read off the finished body so that none leads nowhere.
