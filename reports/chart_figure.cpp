@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/number.hpp"
 #include "reports/chart.hpp"
 #include "reports/html_text.hpp"
 
@@ -25,11 +26,10 @@ const char* kind_name(ChartSeries::Kind kind) {
   return "";
 }
 
-/// Seven digits are more than a screen shows; null for what is not a number.
-Json rounded(const std::vector<double>& values) {
+Json values_json(const std::vector<double>& values) {
+  constexpr int digits = 7;  // more than a screen shows
   Json out = Json::array();
-  for (const double value : values)
-    out.push_back(std::isfinite(value) ? Json(std::stod(fmt::format("{:.7g}", value))) : Json(nullptr));
+  for (const double value : values) out.push_back(number_json(value, digits));
   return out;
 }
 
@@ -38,6 +38,11 @@ Json axis_json(const ChartAxis& axis) {
 }
 
 }  // namespace
+
+Json number_json(double value, int digits) {
+  if (!std::isfinite(value)) return nullptr;
+  return parse_number(fmt::format("{:.{}g}", value, digits)).value_or(0.0);
+}
 
 std::string script_json(const Json& json) {
   std::string text = json.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
@@ -65,8 +70,8 @@ std::string chart_figure(const Chart& chart) {
                               {"kind", kind_name(series.kind)},
                               {"colour", series.look.colour},
                               {"dash", series.look.dash},
-                              {"x", rounded(series.x)},
-                              {"y", rounded(series.y)}});
+                              {"x", values_json(series.x)},
+                              {"y", values_json(series.y)}});
   return figure("xy", chart.id, chart.title, chart.caption, chart_svg(chart), data);
 }
 

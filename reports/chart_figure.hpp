@@ -13,6 +13,9 @@ namespace superstep {
                                  const std::string& caption, const std::string& picture,
                                  const nlohmann::ordered_json& data);
 
+/// A number with so many significant digits; null for what is not finite.
+[[nodiscard]] nlohmann::ordered_json number_json(double value, int digits);
+
 /// JSON that may stand inside a <script> element: ASCII, and without '<'.
 [[nodiscard]] std::string script_json(const nlohmann::ordered_json& json);
 

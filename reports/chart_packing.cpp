@@ -86,7 +86,7 @@ nlohmann::ordered_json frames_data(const Slice& slice, const std::vector<const S
   for (std::size_t k = 0; k < slice.spheres.size(); ++k) {
     const auto& s = slice.spheres[k];
     nlohmann::ordered_json row = {s.id, s.across, s.height, s.radius};
-    for (const auto* frame : frames) row.push_back(std::stod(fmt::format("{:.5g}", frame->value[k])));
+    for (const auto* frame : frames) row.push_back(number_json(frame->value[k], 5));
     data["rows"].push_back(std::move(row));
   }
   return data;

@@ -59,7 +59,7 @@ void ChartScale::make_linear(const ChartAxis& axis) {
 void ChartScale::make_logarithmic(const ChartAxis& axis) {
   if (!(low_ > 0)) low_ = 1e-16;
   if (!(high_ > low_)) high_ = 10 * low_;
-  const double decades = std::log10(high_ / low_);
+  const double decades = std::log10(high_) - std::log10(low_);
   if (decades < 1) {  // less than a decade: round numbers inside it
     low_ /= axis.low ? 1 : 1.15;
     high_ *= axis.high ? 1 : 1.15;
@@ -87,7 +87,8 @@ void ChartScale::make_logarithmic(const ChartAxis& axis) {
 }
 
 double ChartScale::position(double value) const noexcept {
-  return logarithmic_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
+  return logarithmic_ ? (std::log(value) - std::log(low_)) / (std::log(high_) - std::log(low_))
+                      : (value - low_) / (high_ - low_);
 }
 
 bool ChartScale::shows(double value) const noexcept {

@@ -10,6 +10,7 @@ Svg::Svg(double width, double height, std::string_view label) {
 }
 
 void Svg::text(double x, double y, std::string_view content, TextStyle style) {
+  if (content.empty()) return;
   add(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}"{}{}>{}</text>)", x, y, style.anchor,
       *style.extra ? " " : "", style.extra, html_text(content));
 }
