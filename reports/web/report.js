@@ -70,6 +70,20 @@
 
   // --- Zooming and hovering by uPlot.
   const shown = (value) => (value === null || value === undefined ? "" : String(Number(value.toPrecision(5))));
+  const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  const powerOfTen = (value) => "10" + String(Math.round(Math.log10(value))).replace("-", "⁻").replace(/\d/g, (digit) => superscripts[digit]);
+  const isPower = (value) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-9;
+
+  // Over several decades only these are marked, and not more than fit.
+  function logarithmicTicks(_, ticks) {
+    if (Math.log10(ticks[ticks.length - 1] / ticks[0]) < 2) return ticks;
+    const stride = 1 + Math.floor(Math.log10(ticks[ticks.length - 1] / ticks[0]) / 8);
+    return ticks.map((value) => (isPower(value) && Math.round(Math.log10(value)) % stride === 0 ? value : null));
+  }
+  function tickText(value, logarithmic) {
+    if (value === null) return "";
+    return logarithmic && isPower(value) && (value < 0.01 || value > 1000) ? powerOfTen(value) : shown(value);
+  }
 
   function tableOf(series, data) {
     const usable = (value, axis) => value !== null && (!axis.log || value > 0);
@@ -82,7 +96,11 @@
   function makeLive(figure, data, width) {
     const ink = getComputedStyle(figure).color;
     const faint = ink.replace("rgb(", "rgba(").replace(")", ", 0.15)");
-    const axis = (one, size) => ({ label: one.label, stroke: ink, grid: { stroke: faint }, ticks: { stroke: faint }, size });
+    const axis = (one, size) => {
+      const filter = one.log ? logarithmicTicks : undefined;
+      return { label: one.label, stroke: ink, size, filter, grid: { stroke: faint, width: 1, filter }, ticks: { stroke: faint, filter },
+        values: (_, ticks) => ticks.map((value) => tickText(value, one.log)) };
+    };
     const options = {
       width, height: Math.max(280, Math.round(width * 0.6)),
       scales: { x: { time: false, distr: data.x.log ? 3 : 1 }, y: { distr: data.y.log ? 3 : 1 } },
