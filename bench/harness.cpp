@@ -38,6 +38,7 @@ class CaseBench {
     find_reference(out);
     for (auto& contender : contenders_) verify_one(contender);
     for (auto& contender : contenders_) warm_up(contender);
+    timing_began_ = wall_seconds();
     for (int round = 0; round < options_.repetitions; ++round) time_round(static_cast<std::size_t>(round));
     finish(out);
     out.observations = std::move(observations_);
@@ -66,6 +67,8 @@ class CaseBench {
   std::optional<Reference> reference_;
   std::vector<Contender> contenders_;
   CaseObservations observations_;
+  double timing_began_ = 0;  // wall clock [s]
+  std::size_t timed_runs_ = 0;
 };
 
 Contender CaseBench::enter(const std::string& spec) const {
@@ -179,8 +182,10 @@ void CaseBench::time_round(std::size_t round) {
   for (const std::size_t k : round_order(contenders_.size(), round)) {
     Contender& contender = contenders_[k];
     if (stopped() || !contender.verified || !contender.outcome.ok()) continue;
-    progress_.begin_timed(
-        fmt::format("round {} of {}: {}", round + 1, options_.repetitions, position(contender)));
+    const double done = static_cast<double>(timed_runs_++), elapsed = wall_seconds() - timing_began_;
+    const double all = static_cast<double>(options_.repetitions) * static_cast<double>(contenders_.size());
+    progress_.begin_timed(fmt::format("round {} of {}: {}: {}", round + 1, options_.repetitions,
+                                      position(contender), progress_text(done, all, elapsed, elapsed)));
     time_one(contender);
     progress_.end();
   }
