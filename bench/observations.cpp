@@ -6,6 +6,7 @@
 
 #include "bench/metrics.hpp"
 #include "bench/run_one.hpp"
+#include "reports/thinning.hpp"
 
 namespace superstep {
 namespace {
@@ -40,13 +41,6 @@ std::vector<std::size_t> cut_spheres(const Packing& packing, double plane) {
 
 }  // namespace
 
-std::vector<std::size_t> thinned(std::size_t n, std::size_t most) {
-  std::vector<std::size_t> kept;
-  const std::size_t count = std::min(n, most);
-  for (std::size_t k = 0; k < count; ++k) kept.push_back(count < 2 ? 0 : k * (n - 1) / (count - 1));
-  return kept;
-}
-
 std::vector<ProbeCurve> probe_curves(const Scene& scene, const ProbeSet& probes, const std::string& spec,
                                      const ProbeHistory& run, const Reference* reference) {
   std::vector<ProbeCurve> curves;
@@ -60,7 +54,7 @@ std::vector<ProbeCurve> probe_curves(const Scene& scene, const ProbeSet& probes,
                      .field = column.field,
                      .unit = unit,
                      .probe = column.name.substr(column.field.size() + 1)};
-    for (const std::size_t k : thinned(inside, most_instants)) {
+    for (const std::size_t k : evenly_thinned(inside, most_instants)) {
       curve.time.push_back(run.time(k));
       curve.value.push_back(run.value(k, slot));
       if (reference) curve.reference.push_back(reference->history.at(run.time(k), slot));
@@ -76,13 +70,13 @@ SliceRecorder::SliceRecorder(const Scene& scene) : scene_(scene) {
   const double plane = plane_of(packing);
   const auto cut = cut_spheres(packing, plane);
   slice_.cut = cut.size();
-  for (const std::size_t k : thinned(cut.size(), most_spheres)) {
+  for (const std::size_t k : randomly_thinned(cut.size(), most_spheres)) {
     const std::size_t i = cut[k];
     particles_.push_back(i);
     const Vec3& centre = packing.centre[i];
     slice_.spheres.push_back({packing.id[i], centre.x, centre.z, centre.y - plane, packing.radius[i]});
   }
-  outputs_ = thinned(scene.output_times.size(), most_frames);
+  outputs_ = evenly_thinned(scene.output_times.size(), most_frames);
   add_frames(0.0, scene.initial);
 }
 

@@ -13,9 +13,6 @@
 
 namespace superstep {
 
-/// Positions of at most `most` of n entries, evenly spread, the first and the last among them. most >= 2.
-[[nodiscard]] std::vector<std::size_t> thinned(std::size_t n, std::size_t most);
-
 /// Curves of every probe whose value may change, thinned, with the reference at the same instants.
 ///   reference  may be null
 [[nodiscard]] std::vector<ProbeCurve> probe_curves(const Scene& scene, const ProbeSet& probes,

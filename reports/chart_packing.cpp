@@ -51,13 +51,16 @@ std::string frame_svg(const Slice& slice, const Slice::Frame& frame, const View&
                       const std::vector<std::size_t>& order) {
   Svg svg(view.width() + 2, view.height() + caption_room,
           fmt::format("{} at {}, spheres cut by the mid-plane", frame.field, time_text(frame.time)));
+  // A sphere that stands for several is drawn so large that together they cover what all of them would.
+  const double drawn_radius =
+      std::sqrt(std::max(1.0, static_cast<double>(slice.cut) / static_cast<double>(slice.spheres.size())));
   std::string spheres = R"(<g stroke="#000" stroke-opacity="0.35" stroke-width="0.4">)";
   for (const std::size_t k : order) {
     const auto& s = slice.spheres[k];
-    spheres +=
-        fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}"/>)",
-                    1 + view.scale * (s.across - view.left), view.scale * (view.high - s.height),
-                    std::max(0.3, view.scale * s.radius), field_colour(range.fraction(frame.value[k])));
+    spheres += fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}"/>)",
+                           1 + view.scale * (s.across - view.left), view.scale * (view.high - s.height),
+                           std::max(0.3, view.scale * drawn_radius * s.radius),
+                           field_colour(range.fraction(frame.value[k])));
   }
   svg.raw(spheres + "</g>");
   svg.text(view.width() / 2, view.height() + 17, time_text(frame.time), {"middle", R"(font-weight="600")"});
@@ -110,8 +113,10 @@ std::string field_figure(const Slice& slice, const std::vector<const Slice::Fram
   for (const auto* frame : frames) pictures += frame_svg(slice, *frame, view, range, order);
   pictures += "</div>" + colour_bar(*frames.front(), range);
   const std::string left_out = slice.cut > slice.spheres.size()
-                                   ? fmt::format(" Of {} such spheres {} are drawn.", count_text(slice.cut),
-                                                 count_text(slice.spheres.size()))
+                                   ? fmt::format(
+                                         " Of {} such spheres {}, chosen at random, are drawn, "
+                                         "larger to fill the gaps.",
+                                         count_text(slice.cut), count_text(slice.spheres.size()))
                                    : "";
   return figure(
       "packing", id + "-" + frames.front()->field,

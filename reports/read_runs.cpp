@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "reports/read_results.hpp"
+#include "reports/thinning.hpp"
 
 namespace superstep {
 namespace {
@@ -24,14 +25,6 @@ bool exists(const std::string& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-/// At most `most` of n positions, the first and the last among them.
-std::vector<std::size_t> some_of(std::size_t n, std::size_t most) {
-  std::vector<std::size_t> kept;
-  const std::size_t count = std::min(n, most);
-  for (std::size_t k = 0; k < count; ++k) kept.push_back(count < 2 ? 0 : k * (n - 1) / (count - 1));
-  return kept;
-}
-
 std::vector<ProbeCurve> read_probes(const std::string& path, const std::string& spec) {
   std::vector<ProbeCurve> curves;
   const CsvTable table(path);
@@ -43,7 +36,7 @@ std::vector<ProbeCurve> read_probes(const std::string& path, const std::string& 
       if (!name.starts_with(prefix)) continue;
       ProbeCurve curve{
           .spec = spec, .field = field.name, .unit = field.unit, .probe = name.substr(prefix.size())};
-      for (const std::size_t row : some_of(table.rows(), most_instants)) {
+      for (const std::size_t row : evenly_thinned(table.rows(), most_instants)) {
         curve.time.push_back(table.required(row, time));
         curve.value.push_back(table.required(row, c));
       }
@@ -72,7 +65,7 @@ std::optional<Slice> read_final(const std::string& path, const std::string& spec
   for (const auto& field : known_fields)
     if (table.find(field.name))
       slice.frames.push_back({.field = field.name, .unit = field.unit, .time = time});
-  for (const std::size_t k : some_of(cut.size(), most_spheres)) {
+  for (const std::size_t k : randomly_thinned(cut.size(), most_spheres)) {
     const std::size_t row = cut[k];
     slice.spheres.push_back({static_cast<std::int64_t>(table.required(row, id)), table.required(row, x),
                              table.required(row, z), table.required(row, y) - plane, table.required(row, r)});

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/number.hpp"
 #include "core/options.hpp"
@@ -27,6 +27,10 @@ void add(Facts& facts, const std::string& name, const Number& value, const std::
   if (value) facts.emplace_back(name, number_text(*value, digits) + (unit.empty() ? "" : " " + unit));
 }
 
+std::string count_of(const Number& value) {
+  return count_text(static_cast<std::uint64_t>(std::max(0.0, value.value_or(0))));
+}
+
 void add_packing(Facts& facts, const Json& packing) {
   if (const auto low = number_in(packing, "diameter_min"), high = number_in(packing, "diameter_max");
       low && high)
@@ -46,9 +50,8 @@ void add_field(Facts& facts, const Json& field) {
   const auto free = number_in(field, "free"), fixed = number_in(field, "fixed"),
              idle = number_in(field, "idle");
   if (free && fixed)
-    facts.emplace_back(name + ": nodes",
-                       fmt::format("{} free, {} fixed, {} idle", number_text(*free, 6),
-                                   number_text(*fixed, 6), number_text(idle.value_or(0), 6)));
+    facts.emplace_back(name + ": nodes", fmt::format("{} free, {} fixed, {} idle", count_of(free),
+                                                     count_of(fixed), count_of(idle)));
   if (const auto floating = number_in(field, "floating_clusters"), all = number_in(field, "components"); all)
     facts.emplace_back(name + ": clusters", fmt::format("{:.0f}, of these {:.0f} without a fixed node", *all,
                                                         floating.value_or(0)));

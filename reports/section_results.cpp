@@ -66,12 +66,9 @@ std::string accuracy_table(const BenchCase& one) {
                    {"speedup over the baseline"},
                    {"its error"}},
                   false);
-  const BenchRow* before = nullptr;
   for (const double level : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     const auto* row = cheapest_within(one, level);
     if (!row) break;
-    if (row == before) continue;
-    before = row;
     table.add_row({{.text = number_text(level, 1)},
                    {.text = row->spec, .kind = "strong"},
                    number_cell(Number(row->cpu_total->median)),

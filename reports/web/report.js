@@ -97,7 +97,7 @@
     const ink = getComputedStyle(figure).color;
     const faint = ink.replace("rgb(", "rgba(").replace(")", ", 0.15)");
     const axis = (one, size) => {
-      const filter = one.log ? logarithmicTicks : undefined;
+      const filter = one.log ? logarithmicTicks : (_, ticks) => ticks;
       return { label: one.label, stroke: ink, size, filter, grid: { stroke: faint, width: 1, filter }, ticks: { stroke: faint, filter },
         values: (_, ticks) => ticks.map((value) => tickText(value, one.log)) };
     };

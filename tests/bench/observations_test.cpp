@@ -15,17 +15,6 @@ namespace {
 
 using test::CaseFolder;
 
-TEST(Thinned, KeepsTheEndsAndNothingTwice) {
-  EXPECT_EQ(thinned(0, 5).size(), 0U);
-  EXPECT_EQ(thinned(1, 5), (std::vector<std::size_t>{0}));
-  EXPECT_EQ(thinned(5, 5), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
-  const auto kept = thinned(1'000'000, 400);
-  ASSERT_EQ(kept.size(), 400U);
-  EXPECT_EQ(kept.front(), 0U);
-  EXPECT_EQ(kept.back(), 999'999U);
-  for (std::size_t k = 1; k < kept.size(); ++k) EXPECT_LT(kept[k - 1], kept[k]);
-}
-
 // Three spheres on the mid-plane of y, two off it.
 std::string write_spheres(const CaseFolder& folder, const std::string& bench, double conductivity = 0.001) {
   folder.write("spheres.csv",

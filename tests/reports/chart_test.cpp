@@ -158,7 +158,7 @@ TEST(PackingFigure, DrawsEverySphereOncePerTimeBackToFront) {
   MarkupReader reader(markup);
   EXPECT_EQ(reader.problem(), "");
   EXPECT_EQ(reader.count("circle"), 4);
-  EXPECT_NE(markup.find("Of 5 such spheres 2 are drawn"), std::string::npos);
+  EXPECT_NE(markup.find("Of 5 such spheres 2, chosen at random"), std::string::npos);
   EXPECT_LT(markup.find(field_colour(0.5)), markup.find(field_colour(0))) << "sphere 2 lies behind sphere 1";
 }
 
