@@ -105,9 +105,13 @@ std::string number_text(double value, int digits) {
 }
 
 std::string count_text(std::uint64_t value) {
-  std::string out = fmt::format("{}", value);
-  if (out.size() <= 4) return out;
-  for (std::size_t position = out.size(); position > 3;) out.insert(position -= 3, " ");
+  const std::string digits = fmt::format("{}", value);
+  if (digits.size() <= 4) return digits;
+  std::string out;
+  for (std::size_t k = 0; k < digits.size(); ++k) {
+    if (k > 0 && (digits.size() - k) % 3 == 0) out += "\u202F";  // narrow, and no line breaks there
+    out += digits[k];
+  }
   return out;
 }
 
