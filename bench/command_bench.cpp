@@ -84,6 +84,7 @@ int execute(const BenchCommand& command) {
   }
   report.interrupted = stop_flag();
   write_results(folder, report);
+  if (!command.report) remove_stale_file(folder + "/report.html");
   if (!report.interrupted) write_observation_files(folder, report, cases);
   if (command.common.json) print_data(results_json(report));
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));

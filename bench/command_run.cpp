@@ -85,6 +85,7 @@ int execute(const RunCommand& command) {
   bool all_ok = true;
   for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
     std::optional<VtkSeries> vtk;
+    remove_vtk_series(folders[k]);  // old fields beside new ones mislead
     if (command.vtk) vtk.emplace(scene, folders[k]);
     const FinishedRun run = integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr);
     RunRecord record = record_run(scene, specs[k], run.result);

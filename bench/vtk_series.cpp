@@ -14,16 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Only files that a series has: the folder may hold what the user put there.
-void remove_old_series(const std::string& folder) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
-    const bool ours = name.starts_with("particles") || name.starts_with("contacts");
-    if (ours && (extension == ".vtp" || extension == ".pvd")) remove_stale_file(entry.path().string());
-  }
-}
-
 std::vector<double> flux(const Graph& graph, const std::vector<double>& values) {
   std::vector<double> out(graph.edges());
   for (std::size_t e = 0; e < out.size(); ++e)
@@ -33,6 +23,16 @@ std::vector<double> flux(const Graph& graph, const std::vector<double>& values) 
 }
 
 }  // namespace
+
+// Only files that a series has: the folder may hold what the user put there.
+void remove_vtk_series(const std::string& folder) noexcept {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder + "/vtk", ignored)) {
+    const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
+    const bool ours = name.starts_with("particles") || name.starts_with("contacts");
+    if (ours && (extension == ".vtp" || extension == ".pvd")) remove_stale_file(entry.path().string());
+  }
+}
 
 void require_packing(const Scene& scene, const std::string& option) {
   if (scene.packed) return;
@@ -45,7 +45,7 @@ void require_packing(const Scene& scene, const std::string& option) {
 VtkSeries::VtkSeries(const Scene& scene, const std::string& folder) : scene_(scene), folder_(folder) {
   require_packing(scene, "--vtk");
   require_writable_folder(folder_ + "/vtk");
-  remove_old_series(folder_ + "/vtk");
+  remove_vtk_series(folder_);
   add(0.0, scene.initial);
 }
 

@@ -35,6 +35,9 @@ class VtkSeries {
   std::vector<VtkFrame> particles_, contacts_;
 };
 
+/// Removes the series that an earlier run left in `folder`, and nothing else.
+void remove_vtk_series(const std::string& folder) noexcept;
+
 /// Throws InputError when a scene has no particles that could be drawn.
 void require_packing(const Scene& scene, const std::string& option);
 

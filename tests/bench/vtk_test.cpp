@@ -58,6 +58,10 @@ TEST(Vtk, OnlyItsOwnOldFilesAreRemoved) {
   EXPECT_FALSE(folder.has("out/vtk/contacts_0099.vtp"));
   EXPECT_TRUE(folder.has("out/vtk/mine.vtp"));
   EXPECT_TRUE(folder.has("out/vtk/particles.txt"));
+  EXPECT_TRUE(folder.has("out/vtk/particles_0000.vtp"));
+  remove_vtk_series(folder.file("out"));
+  EXPECT_FALSE(folder.has("out/vtk/particles_0000.vtp"));
+  EXPECT_TRUE(folder.has("out/vtk/mine.vtp"));
 }
 
 TEST(Vtk, ArraysOfTheWrongLengthAreAMistakeOfOurs) {
