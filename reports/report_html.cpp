@@ -83,6 +83,13 @@ std::string heading_of(const ReportInput& input) {
   return "Results";
 }
 
+/// The chart library with its licence, which asks to be kept with it.
+std::string library_text() {
+  const std::string_view code = embedded_file("uPlot.iife.min.js");
+  if (code.empty()) return {};
+  return fmt::format("/*\n{}*/\n{}", embedded_file("LICENSE"), code);
+}
+
 std::string notice_of(const ReportInput& input) {
   std::string out;
   if (input.bench && input.bench->interrupted)
@@ -103,7 +110,7 @@ std::string report_html(const ReportInput& input) {
                                              {"notice", notice_of(input)},
                                              {"contents", contents_of(body)},
                                              {"body", body},
-                                             {"library", std::string(embedded_file("uPlot.iife.min.js"))},
+                                             {"library", library_text()},
                                              {"script", std::string(embedded_file("report.js"))}});
 }
 
