@@ -37,7 +37,8 @@ Command make_run(const Arguments& values) {
                      .case_file = single_case(values, "run"),
                      .integrators = values.integrators,
                      .tolerance = std::nullopt,
-                     .out = values.out};
+                     .out = values.out,
+                     .vtk = values.vtk};
   if (!values.tolerance.empty()) command.tolerance = parse_positive_option("--tolerance", values.tolerance);
   return command;
 }
@@ -55,6 +56,7 @@ Command make_work_precision(const Arguments& values) {
   command.common = common_options(values);
   command.case_files = values.cases;
   command.out = values.out;
+  command.report = values.report;
   command.options.integrators = values.integrators;
   command.options.reference = values.reference;
   command.options.use_cache = !values.no_cache;
@@ -69,6 +71,7 @@ Command make_bench(const Arguments& values) {
   command.common = common_options(values);
   command.case_files = values.cases;
   command.out = values.out;
+  command.report = values.report;
   command.harness.integrators = values.integrators;
   if (!values.reference.empty()) command.harness.reference = values.reference;
   command.harness.use_cache = !values.no_cache;
@@ -124,6 +127,24 @@ Command make_pack(const Arguments& values) {
   return command;
 }
 
+Command make_report(const Arguments& values) {
+  if (values.cases.empty())
+    throw UsageError("report: a folder of results is missing; see superstep report --help");
+  if (!values.against.empty() && !values.markdown)
+    throw UsageError("report: --against goes with --markdown; add that, or leave it out");
+  if (values.markdown && values.json)
+    throw UsageError("report: --markdown and --json both want stdout; choose one");
+  return ReportCommand{.common = common_options(values),
+                       .folder = single_case(values, "report"),
+                       .markdown = values.markdown,
+                       .against = values.against};
+}
+
+Command make_completion(const Arguments& values) {
+  if (values.cases.empty()) throw UsageError("completion: the shell is missing: bash, zsh or fish");
+  return CompletionCommand{.common = common_options(values), .shell = single_case(values, "completion")};
+}
+
 }  // namespace
 
 Command parse_command_line(const std::vector<std::string>& arguments) {
@@ -133,6 +154,8 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   if (values.command == "info") return InfoCommand{common_options(values), single_case(values, "info")};
   if (values.command == "stability") return make_stability(values);
   if (values.command == "pack") return make_pack(values);
+  if (values.command == "report") return make_report(values);
+  if (values.command == "completion") return make_completion(values);
   if (values.command == "list") return ListCommand{common_options(values)};
   return ShowText{values.text};
 }

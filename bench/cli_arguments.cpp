@@ -71,11 +71,12 @@ void add_integrators(CLI::App& command, Arguments& values, const std::string& fa
 }
 
 void add_run(CLI::App& app, Arguments& values) {
-  auto& command =
-      add_command(app, values, "run", "integrate a case and write its fields",
-                  "  superstep run cases/nial_thermal.toml --tolerance 1e-3\n"
-                  "  superstep run cases/nial_thermal.toml --integrator sts:n=20,nu=1e-3 --out result\n"
-                  "  superstep run cases/nial_thermal.toml --integrator cvode --tolerance 1e-7");
+  auto& command = add_command(
+      app, values, "run", "integrate a case and write its fields",
+      "  superstep run cases/nial_thermal.toml --tolerance 1e-3\n"
+      "  superstep run cases/nial_thermal.toml --integrator sts:n=20,nu=1e-3 --out result\n"
+      "  superstep run cases/nial_thermal.toml --integrator cvode --tolerance 1e-7\n"
+      "  superstep run cases/nial_thermal.toml --vtk --out result   (then open result/vtk/particles.pvd)");
   add_case(command, values, false);
   add_integrators(command, values, "auto");
   command
@@ -83,6 +84,7 @@ void add_run(CLI::App& app, Arguments& values) {
                   "error allowed relative to the field's span, instead of the SPEC's rtol")
       ->type_name("X");
   command.add_option("--out", values.out, "folder for final.csv, probes.csv, run.json")->type_name("DIR");
+  command.add_flag("--vtk", values.vtk, "write particles and contacts at every output time for ParaView");
 }
 
 void add_bench(CLI::App& app, Arguments& values) {
@@ -107,7 +109,29 @@ void add_bench(CLI::App& app, Arguments& values) {
       ->type_name("SPEC");
   command.add_flag("--work-precision", values.work_precision,
                    "sweep every method over tolerances and steps; say who is fastest at each error");
+  command.add_flag("--report", values.report, "write report.html beside the results as well");
   command.add_flag("--no-cache", values.no_cache, "neither read nor write cached references");
+}
+
+void add_report(CLI::App& app, Arguments& values) {
+  auto& command =
+      add_command(app, values, "report", "one HTML file from the results of bench, run and stability",
+                  "  superstep report reports/out/nial_thermal\n"
+                  "  superstep bench cases/nial_thermal.toml --out result && superstep report result\n"
+                  "  superstep report result --markdown --against earlier");
+  command.add_option("DIR", values.cases, "folder with results.json, run.json or both")->type_name("");
+  command.add_flag("--markdown", values.markdown, "print a summary for continuous integration as well");
+  command
+      .add_option("--against", values.against, "with --markdown: list only what changed since that benchmark")
+      ->type_name("DIR");
+}
+
+void add_completion(CLI::App& app, Arguments& values) {
+  auto& command = add_command(app, values, "completion", "completion script for a shell",
+                              "  source <(superstep completion bash)\n"
+                              "  source <(superstep completion zsh)\n"
+                              "  superstep completion fish | source");
+  command.add_option("SHELL", values.cases, "bash, zsh or fish")->type_name("");
 }
 
 void add_info(CLI::App& app, Arguments& values) {
@@ -176,6 +200,8 @@ void add_commands(CLI::App& app, Arguments& values) {
   add_info(app, values);
   add_stability(app, values);
   add_pack(app, values);
+  add_report(app, values);
+  add_completion(app, values);
   add_command(app, values, "list", "integrators with their keys, neck laws and cases",
               "  superstep list\n  superstep list --json");
 }
@@ -214,6 +240,25 @@ Arguments read_arguments(const std::vector<std::string>& line) {
   reject_empty_values(*chosen.front());
   values.command = chosen.front()->get_name();
   return values;
+}
+
+std::vector<CommandShape> command_shapes() {
+  CLI::App app;
+  Arguments values;
+  add_commands(app, values);
+  std::vector<CommandShape> shapes;
+  for (const auto* command : app.get_subcommands(nullptr)) {
+    CommandShape shape{.name = command->get_name(), .does = command->get_description(), .options = {}};
+    for (const auto* option : command->get_options())
+      for (const auto& name : option->get_lnames())
+        shape.options.push_back(
+            {.name = "--" + name,
+             .meaning = option->get_description(),
+             .takes_value = option->get_expected_max() > 0 && option->get_items_expected_max() > 0,
+             .words = {}});
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
 }
 
 }  // namespace superstep

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/completion.hpp"
+
 namespace superstep {
 
 /// Every value of the command line as it was written; empty = not given.
@@ -17,9 +19,9 @@ struct Arguments {
   bool quiet = false, json = false;
 
   std::vector<std::string> cases, integrators;
-  std::string tolerance, out, reference;
+  std::string tolerance, out, reference, against;
   std::optional<std::string> repetitions;
-  bool no_cache = false, work_precision = false, quick = false;
+  bool no_cache = false, work_precision = false, quick = false, report = false, vtk = false, markdown = false;
 
   std::string container = "cylinder", diameter, width, depth, height, count, relative_density, sizes,
               seed = "1", length_unit = "m", file;
@@ -28,5 +30,8 @@ struct Arguments {
 /// Arguments without the program's name. Throws UsageError for unknown commands and options and for empty
 /// values.
 [[nodiscard]] Arguments read_arguments(const std::vector<std::string>& line);
+
+/// Commands and options, as a shell completes them.
+[[nodiscard]] std::vector<CommandShape> command_shapes();
 
 }  // namespace superstep

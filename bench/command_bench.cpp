@@ -8,7 +8,9 @@
 #include "bench/interrupt.hpp"
 #include "bench/loaded_case.hpp"
 #include "bench/machine.hpp"
+#include "bench/observation_files.hpp"
 #include "bench/output_folder.hpp"
+#include "bench/report_file.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "reports/results_csv.hpp"
@@ -82,8 +84,14 @@ int execute(const BenchCommand& command) {
   }
   report.interrupted = stop_flag();
   write_results(folder, report);
+  if (!command.report) remove_stale_file(folder + "/report.html");
+  if (!report.interrupted) write_observation_files(folder, report, cases);
   if (command.common.json) print_data(results_json(report));
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
+  if (command.report) {
+    const std::string file = write_report(folder);
+    if (!quiet) note("report in " + file);
+  }
   if (report.interrupted) return interrupted_exit_code;
   return static_cast<int>(exit_code(report));
 }

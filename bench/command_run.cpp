@@ -12,6 +12,7 @@
 #include "bench/run_files.hpp"
 #include "bench/run_one.hpp"
 #include "bench/spec_settings.hpp"
+#include "bench/vtk_series.hpp"
 #include "core/error.hpp"
 
 namespace superstep {
@@ -43,11 +44,12 @@ struct FinishedRun {
   std::vector<double> final_state;
 };
 
-FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::string& spec,
-                      Progress& progress) {
+FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::string& spec, Progress& progress,
+                      VtkSeries* vtk) {
   FinishedRun run;
   RunRequest request{.probes = &probes, .stop = &stop_flag(), .progress = &progress};
-  request.observe = [&](std::size_t output, double, std::span<const double> state) {
+  request.observe = [&](std::size_t output, double t, std::span<const double> state) {
+    if (vtk) vtk->add(t, state);
     if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
   };
   progress.begin(spec, scene.t_end);
@@ -69,6 +71,7 @@ std::string summary(const std::string& spec, const RunResult& run, const std::st
 int execute(const RunCommand& command) {
   check_specs(command.integrators);
   const auto [scene, cpu_setup] = load_case(command.case_file);
+  if (command.vtk) require_packing(scene, "--vtk");
   const auto specs = specs_of(command);
   const auto folders =
       folders_of(command.out.empty() ? default_output_folder(scene.name) : command.out, specs);
@@ -81,10 +84,14 @@ int execute(const RunCommand& command) {
   const ProbeSet probes(scene);
   bool all_ok = true;
   for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
-    const FinishedRun run = integrate(scene, probes, specs[k], progress);
+    std::optional<VtkSeries> vtk;
+    remove_vtk_series(folders[k]);  // old fields beside new ones mislead
+    if (command.vtk) vtk.emplace(scene, folders[k]);
+    const FinishedRun run = integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr);
     RunRecord record = record_run(scene, specs[k], run.result);
     record.cpu_setup = cpu_setup;
     record.threads = command.common.threads;
+    if (vtk) record.files = vtk->finish();
     const std::string json = write_run_files(folders[k], scene, probes, run.result, run.final_state, record);
     if (command.common.json)
       print_data(json);

@@ -18,9 +18,11 @@ int execute(const StabilityCommand& command) {
   if (!quiet) warn(scene.warnings);
   Progress progress(!quiet && stderr_is_terminal());
   const StabilityResults results = run_stability_lab(scene, command.quick, progress);
-  if (!command.out.empty())
+  if (!command.out.empty()) {
     for (const auto& table : stability_tables(results))
       write_file_atomically(command.out + "/" + table.file_name(), table.csv());
+    write_file_atomically(command.out + "/stability.json", stability_json(results));
+  }
   print_data(command.common.json ? stability_json(results)
                                  : stability_text(results, use_color(command.common.color)));
   if (is_consistent(results)) return static_cast<int>(ExitCode::ok);

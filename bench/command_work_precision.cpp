@@ -6,6 +6,7 @@
 #include "bench/interrupt.hpp"
 #include "bench/loaded_case.hpp"
 #include "bench/output_folder.hpp"
+#include "bench/report_file.hpp"
 #include "bench/work_precision.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
@@ -41,6 +42,9 @@ int execute(const WorkPrecisionCommand& command) {
     const std::string file = folder_of(command, scene) + "/work_precision.csv";
     write_file_atomically(file, work_precision_csv(study));
     if (!command.common.quiet) note("points in " + file);
+    if (!command.report) continue;
+    const std::string report = write_report(folder_of(command, scene));
+    if (!command.common.quiet) note("report in " + report);
   }
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(measured ? ExitCode::ok : ExitCode::inconclusive);

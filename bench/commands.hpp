@@ -26,13 +26,15 @@ struct RunCommand {
   std::vector<std::string> integrators;  ///< SPECs; empty = auto
   std::optional<double> tolerance;       ///< replaces rtol of every SPEC
   std::string out;                       ///< folder; empty = default_output_folder
+  bool vtk = false;                      ///< write particles and contacts for ParaView
 };
 
 struct BenchCommand {
   CommonOptions common;
   std::vector<std::string> case_files;
   HarnessOptions harness;
-  std::string out;  ///< folder; empty = default_output_folder
+  std::string out;      ///< folder; empty = default_output_folder
+  bool report = false;  ///< write report.html as well
 };
 
 /// superstep bench --work-precision
@@ -40,7 +42,8 @@ struct WorkPrecisionCommand {
   CommonOptions common;
   std::vector<std::string> case_files;
   WorkPrecisionOptions options;
-  std::string out;  ///< folder; empty = default_output_folder
+  std::string out;      ///< folder; empty = default_output_folder
+  bool report = false;  ///< write report.html as well
 };
 
 struct InfoCommand {
@@ -65,13 +68,27 @@ struct ListCommand {
   CommonOptions common;
 };
 
+/// superstep report
+struct ReportCommand {
+  CommonOptions common;
+  std::string folder;
+  bool markdown = false;  ///< print a summary
+  std::string against;    ///< folder of an earlier benchmark that the summary compares with; may be empty
+};
+
+/// superstep completion
+struct CompletionCommand {
+  CommonOptions common;
+  std::string shell;
+};
+
 /// --help and --version.
 struct ShowText {
   std::string text;
 };
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
-                             PackCommand, ListCommand, ShowText>;
+                             PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
@@ -81,6 +98,8 @@ int execute(const InfoCommand& command);
 int execute(const StabilityCommand& command);
 int execute(const PackCommand& command);
 int execute(const ListCommand& command);
+int execute(const ReportCommand& command);
+int execute(const CompletionCommand& command);
 int execute(const ShowText& command);
 
 }  // namespace superstep

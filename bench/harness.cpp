@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/machine.hpp"
+#include "bench/observations.hpp"
 #include "bench/run_one.hpp"
 #include "bench/scene_facts.hpp"
 #include "bench/verification.hpp"
@@ -37,8 +38,10 @@ class CaseBench {
     find_reference(out);
     for (auto& contender : contenders_) verify_one(contender);
     for (auto& contender : contenders_) warm_up(contender);
+    timing_began_ = wall_seconds();
     for (int round = 0; round < options_.repetitions; ++round) time_round(static_cast<std::size_t>(round));
     finish(out);
+    out.observations = std::move(observations_);
     return out;
   }
 
@@ -63,6 +66,9 @@ class CaseBench {
   ProbeSet probes_;
   std::optional<Reference> reference_;
   std::vector<Contender> contenders_;
+  CaseObservations observations_;
+  double timing_began_ = 0;  // wall clock [s]
+  std::size_t timed_runs_ = 0;
 };
 
 Contender CaseBench::enter(const std::string& spec) const {
@@ -104,6 +110,7 @@ void CaseBench::find_reference(BenchCase& out) {
       obtain_reference(scene_, probes_, {options_.reference, options_.use_cache, options_.stop}, progress_);
   out.warnings.insert(out.warnings.end(), result.warnings.begin(), result.warnings.end());
   reference_ = std::move(result.reference);
+  if (reference_ && scene_.packed) observations_.slice = slice_of(scene_, *reference_);
   if (reference_)
     out.reference = ReferenceFacts{reference_->spec, reference_->from_cache, reference_->cpu_seconds};
   else if (!stopped())
@@ -132,6 +139,9 @@ void CaseBench::verify_one(Contender& contender) {
   contender.verified = true;
   contender.outcome = result.outcome;
   if (!result.outcome.ok()) return;
+  const auto curves =
+      probe_curves(scene_, probes_, contender.row.spec, result.history, reference_ ? &*reference_ : nullptr);
+  observations_.curves.insert(observations_.curves.end(), curves.begin(), curves.end());
   const auto fields = scene_.rhs->fields();
   contender.row.errors = result.errors[main_field(*scene_.rhs)];
   for (std::size_t f = 0; fields.size() > 1 && f < fields.size(); ++f)
@@ -144,9 +154,16 @@ void CaseBench::warm_up(Contender& contender) {
   if (stopped() || !contender.verified || contender.outcome.status == Status::refused) return;
   progress_.begin("warming up " + position(contender), scene_.t_end);
   reset_peak_memory();
-  const RunResult run = run_one(scene_, contender.row.spec, {.stop = options_.stop, .progress = &progress_});
+  RunRequest request{.stop = options_.stop, .progress = &progress_};
+  std::optional<SliceRecorder> slice;
+  if (scene_.packed && !observations_.slice) {  // there is no reference to take a picture of
+    slice.emplace(scene_);
+    request.observe = [&](std::size_t k, double t, auto state) { slice->observe(k, t, state); };
+  }
+  const RunResult run = run_one(scene_, contender.row.spec, request);
   progress_.end();
   if (run.outcome.status == Status::interrupted) return;
+  if (slice && run.outcome.ok()) observations_.slice = slice->take(contender.row.spec);
   BenchRow& row = contender.row;
   row.steps = run.statistics.steps;
   row.rejected = run.statistics.rejected;
@@ -165,8 +182,10 @@ void CaseBench::time_round(std::size_t round) {
   for (const std::size_t k : round_order(contenders_.size(), round)) {
     Contender& contender = contenders_[k];
     if (stopped() || !contender.verified || !contender.outcome.ok()) continue;
-    progress_.begin_timed(
-        fmt::format("round {} of {}: {}", round + 1, options_.repetitions, position(contender)));
+    const double done = static_cast<double>(timed_runs_++), elapsed = wall_seconds() - timing_began_;
+    const double all = static_cast<double>(options_.repetitions) * static_cast<double>(contenders_.size());
+    progress_.begin_timed(fmt::format("round {} of {}: {}: {}", round + 1, options_.repetitions,
+                                      position(contender), progress_text(done, all, elapsed, elapsed)));
     time_one(contender);
     progress_.end();
   }

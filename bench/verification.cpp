@@ -109,6 +109,7 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const std::strin
   };
   const RunResult run = run_one(scene, spec, request);
   result.outcome = run.outcome;
+  result.history = run.history;
   if (!run.outcome.ok()) {
     result.errors.clear();
     return result;

@@ -16,6 +16,7 @@ namespace superstep {
 
 struct Verification {
   Outcome outcome;
+  ProbeHistory history;             ///< of the run at the probes
   std::vector<FieldErrors> errors;  ///< one per field of the right-hand side; empty unless the outcome is ok
 };
 

@@ -17,14 +17,6 @@
 namespace superstep {
 namespace {
 
-/// Name and settings without the ones that the ladder steps through.
-std::string family_of(const Spec& spec) {
-  std::string family = spec.name;
-  for (const auto& [key, value] : spec.settings)
-    if (key != "rtol" && key != "step" && key != "fraction" && key != "n") family += " " + key + "=" + value;
-  return family;
-}
-
 std::string default_reference(const Scene& scene) {
   return exactly_solvable(*scene.rhs) ? "exponential:rtol=1e-15" : "cvode:rtol=1e-10";
 }

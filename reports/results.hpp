@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/observations.hpp"
 #include "scene/effective.hpp"
 
 namespace superstep {
@@ -72,6 +73,7 @@ struct BenchCase {
   std::vector<BenchRow> rows;
   std::vector<std::string> warnings;
   std::vector<SkippedWork> skips;
+  CaseObservations observations;  ///< for charts; not part of results.json
 };
 
 /// A named fact about the machine or the build, in the order in which it is shown.

@@ -99,6 +99,13 @@ std::string winners_table(const WorkPrecision& study, bool color) {
 
 }  // namespace
 
+std::string family_of(const Spec& spec) {
+  std::string family = spec.name;
+  for (const auto& [key, value] : spec.settings)
+    if (key != "rtol" && key != "step" && key != "fraction" && key != "n") family += " " + key + "=" + value;
+  return family;
+}
+
 std::vector<LevelWinner> winners(const WorkPrecision& study) {
   std::vector<LevelWinner> out;
   const double bar = study.reference_error && study.span > 0 ? *study.reference_error / study.span : 0;

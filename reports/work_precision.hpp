@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/options.hpp"
 #include "reports/results.hpp"
 
 namespace superstep {
@@ -13,8 +14,8 @@ struct WorkPrecisionPoint {
   std::string family;  ///< the method with everything but the swept key, e.g. "cvode linsol=pcg"
   std::string spec, integrator, params, status, reason;
   std::uint64_t sweeps = 0, steps = 0;
-  std::optional<Timing> cpu;             ///< s, preparation and stepping
-  std::vector<double> error_rms;         ///< at each output time, in the field's unit; empty unless ok
+  std::optional<Timing> cpu{};           ///< s, preparation and stepping
+  std::vector<double> error_rms{};       ///< at each output time, in the field's unit; empty unless ok
   double worst = 0, worst_relative = 0;  ///< largest of error_rms, and over the field's span
   [[nodiscard]] bool ok() const noexcept { return status == "ok"; }
 };
@@ -29,6 +30,10 @@ struct WorkPrecision {
   std::vector<double> output_times;  ///< s
   std::vector<WorkPrecisionPoint> points;
 };
+
+/// What a SPEC has in common with its neighbours on a ladder: name and settings without the ones that ladders
+/// step through.
+[[nodiscard]] std::string family_of(const Spec& spec);
 
 /// The fastest method that reaches an error level.
 struct LevelWinner {

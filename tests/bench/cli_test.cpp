@@ -55,6 +55,64 @@ TEST_F(Program, UsageErrorsExitWith2AndNameTheNearestChoice) {
   expect_error("bench rod.toml --out", 2, "--out");
 }
 
+TEST_F(Program, SwappedLettersAreForgiven) {
+  expect_error("bnech rod.toml", 2, "did you mean 'bench'");
+  expect_error("repotr result", 2, "did you mean 'report'");
+  expect_error("run rod.toml --integrator forward-euelr", 2, "did you mean 'forward-euler'");
+}
+
+TEST_F(Program, ReportsNeedResultsAndNamesOfFoldersDoNoHarm) {
+  expect_error("report", 2, "folder of results is missing");
+  expect_error("report missing", 3, "missing");
+  expect_error("report rod.toml", 3, "not a folder");
+  expect_error("report . --against other", 2, "--markdown");
+  expect_error("report . --markdown --json", 2, "choose one");
+  expect_error("run rod.toml --vtk --out result", 3, "leave --vtk out");
+  const std::string name = "'=cmd() <b> \"x\"'";
+  ASSERT_EQ(run("bench rod.toml --repetitions 1 --report --out " + name), 0) << err();
+  EXPECT_NE(err().find("report in"), std::string::npos);
+  ASSERT_EQ(run("report " + name + " --markdown --quiet"), 0) << err();
+  EXPECT_EQ(err(), "");
+  EXPECT_TRUE(out().starts_with("**All 3 runs succeeded.**")) << out();
+  ASSERT_EQ(run("report " + name + " --json --quiet"), 0) << err();
+  EXPECT_EQ(nlohmann::json::parse(out()).at("file"), "=cmd() <b> \"x\"/report.html");
+  EXPECT_TRUE(folder_.has("=cmd() <b> \"x\"/report.html"));
+}
+
+TEST_F(Program, AReportGathersBenchSweepStabilityAndRun) {
+  ASSERT_EQ(run("bench rod.toml --repetitions 1 --out all"), 0) << err();
+  ASSERT_EQ(
+      run("bench rod.toml --work-precision --integrator rkc:rtol=1e-2 --integrator rkc:rtol=1e-4 --out all"),
+      0)
+      << err();
+  ASSERT_EQ(run("stability rod.toml --quick --out all"), 0) << err();
+  ASSERT_EQ(run("run rod.toml --out all/one"), 0) << err();
+  ASSERT_EQ(run("report all"), 0) << err();
+  const std::string html = folder_.read("all/report.html");
+  for (const char* id : {"case-1-results", "case-1-work-precision", "stability", "runs", "machine"})
+    EXPECT_NE(html.find(std::string("<section id=\"") + id + "\""), std::string::npos) << id;
+}
+
+TEST_F(Program, CompletionScriptsOfferCommandsOptionsAndMethods) {
+  expect_error("completion", 2, "bash, zsh or fish");
+  expect_error("completion bsah", 2, "did you mean 'bash'");
+  ASSERT_EQ(run("completion bash"), 0);
+  folder_.write("complete.sh",
+                out() +
+                    "try() { COMP_WORDS=(superstep \"$@\"); COMP_CWORD=$#; _superstep; echo "
+                    "\"${COMPREPLY[*]}\"; }\n"
+                    "try be; try bench --rep; try run --integrator exp; try pack --color n; try run case\n");
+  const std::string command =
+      fmt::format("cd '{}' && bash complete.sh >completed.txt 2>&1", folder_.file("."));
+  ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT(cert-env33-c): a shell is what users have
+  EXPECT_EQ(folder_.read("completed.txt"), "bench\n--repetitions --report\nexponential\nnever\n\n");
+  for (const std::string shell : {"zsh", "fish"}) {
+    ASSERT_EQ(run("completion " + shell), 0);
+    EXPECT_NE(out().find("work-precision"), std::string::npos);
+    EXPECT_NE(out().find("exponential"), std::string::npos);
+  }
+}
+
 TEST_F(Program, NumbersOnTheCommandLineAreStrict) {
   for (const std::string value : {"0", "-5", "1e2", "''", "3x", "99999999999999999999"})
     expect_error("bench rod.toml --repetitions " + value, 2, "--repetitions");
@@ -166,10 +224,12 @@ TEST_F(Program, AnInterruptEndsCleanlyWith130) {
 
 TEST_F(Program, HelpShowsExamples) {
   EXPECT_EQ(run("--help"), 0);
-  for (const std::string command : {"run", "bench", "info", "pack", "list"}) {
+  for (const std::string command :
+       {"run", "bench", "info", "stability", "pack", "report", "completion", "list"}) {
     EXPECT_NE(folder_.read("stdout.txt").find(command), std::string::npos);
   }
-  for (const std::string command : {"run", "bench", "info", "pack", "list"}) {
+  for (const std::string command :
+       {"run", "bench", "info", "stability", "pack", "report", "completion", "list"}) {
     EXPECT_EQ(run(command + " --help"), 0);
     EXPECT_NE(out().find("superstep " + command), std::string::npos) << out();
   }

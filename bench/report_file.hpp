@@ -1,0 +1,12 @@
+#pragma once
+/// report.html of a folder of results.
+
+#include <string>
+
+namespace superstep {
+
+/// Reads the results in `folder` and writes `folder`/report.html; returns its path. Throws InputError and
+/// OutputError.
+std::string write_report(const std::string& folder);
+
+}  // namespace superstep

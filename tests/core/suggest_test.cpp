@@ -1,0 +1,29 @@
+#include "core/suggest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace superstep {
+namespace {
+
+const std::vector<std::string> commands = {"run", "bench", "info", "stability", "pack", "list", "report"};
+
+TEST(NearestName, FindsSlipsOfThePen) {
+  EXPECT_EQ(nearest_name("bnech", commands), "bench") << "two letters swapped";
+  EXPECT_EQ(nearest_name("benhc", commands), "bench");
+  EXPECT_EQ(nearest_name("urn", commands), "run");
+  EXPECT_EQ(nearest_name("benc", commands), "bench") << "one missing";
+  EXPECT_EQ(nearest_name("bencch", commands), "bench") << "one too many";
+  EXPECT_EQ(nearest_name("reprot", commands), "report");
+}
+
+TEST(NearestName, DoesNotGuessWildly) {
+  EXPECT_EQ(nearest_name("xyz", commands), "");
+  EXPECT_EQ(nearest_name("hcneb", commands), "");
+  EXPECT_EQ(nearest_name(std::string(1000, 'b'), commands), "");
+  EXPECT_EQ(nearest_name("", commands), "");
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,74 @@
+#include "reports/read_results.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "reports/observations_csv.hpp"
+#include "reports/read_work_precision.hpp"
+#include "reports/results_json.hpp"
+#include "sample_report.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+using test::message_of;
+using test::TemporaryFolder;
+
+TEST(ReadResults, GivesBackWhatWasWritten) {
+  const TemporaryFolder folder;
+  const BenchReport report = test::sample_report();
+  const std::string text = results_json(report);
+  EXPECT_EQ(results_json(read_results_json(folder.write("results.json", text))), text);
+}
+
+TEST(ReadResults, RunsToo) {
+  const TemporaryFolder folder;
+  const RunRecord record = test::sample_run();
+  const std::string text = run_json(record);
+  EXPECT_EQ(run_json(read_run_json(folder.write("run.json", text))), text);
+}
+
+TEST(ReadResults, RefusesWhatIsNotAResult) {
+  const TemporaryFolder folder;
+  const auto message = [&](const std::string& content) {
+    const std::string path = folder.write("results.json", content);
+    return message_of<InputError>([&] { (void)read_results_json(path); });
+  };
+  EXPECT_NE(message("{").find("not JSON"), std::string::npos);
+  EXPECT_NE(message("[]").find("schema"), std::string::npos);
+  EXPECT_NE(message(R"({"schema": "superstep.run"})").find("superstep.results"), std::string::npos);
+  EXPECT_NE(message(R"({"schema": "superstep.results", "schema_version": 99})").find("newer"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"schema": "superstep.results", "cases": [{"case": 5}]})").find("results.json"),
+            std::string::npos);
+  EXPECT_EQ(message(R"({"schema": "superstep.results", "schema_version": 1, "future": 1})"), "");
+}
+
+TEST(ReadObservations, GiveBackWhatWasWritten) {
+  const TemporaryFolder folder;
+  const BenchReport report = test::sample_report();
+  folder.write("histories.csv", histories_csv(report.cases));
+  folder.write("snapshots.csv", snapshots_csv(report.cases));
+  const auto seen = read_observations(folder.file("."));
+  for (const auto& one : report.cases) {
+    ASSERT_TRUE(seen.contains(one.name));
+    BenchCase copy = one;
+    copy.observations = seen.at(one.name);
+    EXPECT_EQ(histories_csv({&copy, 1}), histories_csv({&one, 1}));
+    EXPECT_EQ(snapshots_csv({&copy, 1}), snapshots_csv({&one, 1}));
+  }
+}
+
+TEST(ReadWorkPrecision, GivesBackWhatWasWritten) {
+  const TemporaryFolder folder;
+  const WorkPrecision study = test::sample_study();
+  const std::string text = work_precision_csv(study);
+  const WorkPrecision read = read_work_precision_csv(folder.write("work_precision.csv", text));
+  EXPECT_EQ(work_precision_csv(read), text);
+  EXPECT_EQ(read.points[0].family, study.points[0].family);
+  EXPECT_NEAR(read.span, 10, 1e-12);  // a quotient of two rounded numbers
+}
+
+}  // namespace
+}  // namespace superstep
