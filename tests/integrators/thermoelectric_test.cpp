@@ -184,6 +184,30 @@ TEST(SettledPotential, IsNoLongerSteppedAndCostsNoAccuracy) {
   }
 }
 
+TEST(Automatic, DeliversItsToleranceOnANonlinearScene) {
+  const ConductivityLaw line{
+      .kind = ConductivityLaw::Kind::linear, .value = 2, .coefficient = -0.1, .reference = 0.2};
+  const auto rhs =
+      Thermoelectric{.nodes = 200, .thermal = {line, line}, .electric = {line, line}, .convection = true}
+          .build();
+  const auto reference = run(*rhs, "cvode:rtol=1e-11", times);
+  for (const char* tolerance : {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7"}) {
+    const auto result = run(*rhs, std::string("auto:rtol=") + tolerance, times);
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+    for (const auto& field : rhs->fields()) {
+      double low = 0, high = field.name == "potential" ? 1 : 0, sum = 0;
+      for (std::size_t i = field.offset; i < field.offset + field.count; ++i) {
+        low = std::min(low, reference.states.back()[i]);
+        high = std::max(high, reference.states.back()[i]);
+        const double error = result.states.back()[i] - reference.states.back()[i];
+        sum += error * error;
+      }
+      EXPECT_LE(std::sqrt(sum / static_cast<double>(field.count)), std::stod(tolerance) * (high - low))
+          << tolerance << ' ' << field.name;
+    }
+  }
+}
+
 TEST(Radiation, OfOneNodeHasItsClosedForm) {
   // dT/dt = -r T^4 into a void of 0 K: T = T0 (1 + 3 r T0^3 t)^(-1/3).
   Graph graph = test::chain(1);
