@@ -37,8 +37,12 @@ Command make_run(const Arguments& values) {
                      .case_file = single_case(values, "run"),
                      .integrators = values.integrators,
                      .tolerance = std::nullopt,
-                     .out = values.out};
+                     .out = values.out,
+                     .checkpoint = std::nullopt,
+                     .restart = values.restart};
   if (!values.tolerance.empty()) command.tolerance = parse_positive_option("--tolerance", values.tolerance);
+  if (!values.checkpoint.empty())
+    command.checkpoint = parse_positive_option("--checkpoint", values.checkpoint);
   return command;
 }
 

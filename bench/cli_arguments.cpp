@@ -75,7 +75,9 @@ void add_run(CLI::App& app, Arguments& values) {
       add_command(app, values, "run", "integrate a case and write its fields",
                   "  superstep run cases/nial_thermal.toml --tolerance 1e-3\n"
                   "  superstep run cases/nial_thermal.toml --integrator sts:n=20,nu=1e-3 --out result\n"
-                  "  superstep run cases/nial_thermal.toml --integrator cvode --tolerance 1e-7");
+                  "  superstep run cases/nial_thermal.toml --integrator cvode --tolerance 1e-7\n"
+                  "  superstep run cases/sintering_example.toml --out result --checkpoint 0.1\n"
+                  "  superstep run cases/sintering_example.toml --restart result/checkpoint.bin");
   add_case(command, values, false);
   add_integrators(command, values, "auto");
   command
@@ -83,6 +85,12 @@ void add_run(CLI::App& app, Arguments& values) {
                   "error allowed relative to the field's span, instead of the SPEC's rtol")
       ->type_name("X");
   command.add_option("--out", values.out, "folder for final.csv, probes.csv, run.json")->type_name("DIR");
+  command
+      .add_option("--checkpoint", values.checkpoint,
+                  "moving particles: simulated time [s] between writes of DIR/checkpoint.bin")
+      ->type_name("T");
+  command.add_option("--restart", values.restart, "moving particles: go on from this checkpoint")
+      ->type_name("FILE");
 }
 
 void add_bench(CLI::App& app, Arguments& values) {

@@ -26,6 +26,8 @@ struct RunCommand {
   std::vector<std::string> integrators;  ///< SPECs; empty = auto
   std::optional<double> tolerance;       ///< replaces rtol of every SPEC
   std::string out;                       ///< folder; empty = default_output_folder
+  std::optional<double> checkpoint;      ///< simulated time between checkpoints [s]; moving particles only
+  std::string restart;                   ///< checkpoint to go on from; empty = none; moving particles only
 };
 
 struct BenchCommand {
@@ -72,6 +74,11 @@ struct ShowText {
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
                              PackCommand, ListCommand, ShowText>;
+
+/// `execute` of a case with moving particles, i.e. with a table [dynamics].
+int run_sintering(const RunCommand& command);
+int bench_sintering(const BenchCommand& command);
+int info_sintering(const InfoCommand& command);
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);

@@ -1,0 +1,21 @@
+#pragma once
+/// Optional damping of the normal motion in a contact; the source paper has none.
+
+#include <cmath>
+
+namespace superstep::dynamics {
+
+/// Slope of the contact force with the overlap [N/m]: F ~ |E|^p A and A ~ |E| for small overlaps, so the
+/// slope is (p + 1) F/(|E| L). F [N] >= 0, |E| > 0, L [m] the length that the strain refers to.
+[[nodiscard]] inline double contact_slope(double force, double exponent, double strain,
+                                          double length) noexcept {
+  return (exponent + 1) * force / (strain * length);
+}
+
+/// Damping coefficient 2 zeta sqrt(m k) [kg/s] for reduced mass m [kg] and slope k [N/m]: zeta is the share of
+/// critical damping at the present overlap. It vanishes with the overlap, so the force has no jump at touch.
+[[nodiscard]] inline double normal_damping(double share, double mass, double slope) noexcept {
+  return 2 * share * std::sqrt(mass * slope);
+}
+
+}  // namespace superstep::dynamics
