@@ -100,7 +100,9 @@ Outcome Motion::take_step(double t_out) {
     if (!attempt.failure.ok()) return attempt.failure;
     if (attempt.converged) {
       state_.time = to_end ? end : state_.time + h;
-      const double wanted = h * settings_.bounds.after_success(attempt.factor);
+      // A step that had to be restarted found its size the hard way: do not grow it at once.
+      const double factor = settings_.bounds.after_success(attempt.factor);
+      const double wanted = h * (rejections > 0 ? std::min(factor, 1.0) : factor);
       step_ = std::min(settings_.largest_step, h < step_ * (1 - rounding) ? std::max(step_, wanted) : wanted);
       accept(phase, h, attempt, rejections);
       return check();
@@ -115,11 +117,14 @@ void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::i
   iterations_ += static_cast<std::uint64_t>(attempt.iterations);
   if (observe_step) observe_step(network_, h);
   connected_ = network_.current().connected();
-  const Phase& next = model_.schedule.at(state_.time);
-  if (&next != &phase) network_.place(state_.position, next, state_.time);
-  network_.settle(state_, next);
+  network_.settle(state_, phase);
   stepper_->begin(state_);
   record(phase, h, attempt.iterations, rejections);
+  if (const Phase& next = model_.schedule.at(state_.time); &next != &phase) {
+    network_.place(state_.position, next, state_.time);
+    network_.settle(state_, next);
+    stepper_->begin(state_);
+  }
   if (after_step) after_step();
 }
 

@@ -75,6 +75,12 @@ void read_bench(TomlTable& root, SinteringCase& one) {
   const std::string where = bench->where();
   if (const auto baseline = bench->string("baseline")) one.baseline = *baseline;
   if (const auto integrators = bench->find("integrators")) one.integrators = integrators->strings();
+  if (const auto window = bench->find("motion_window")) {
+    const auto ends = window->numbers();
+    if (ends.size() != 2 || !(ends[0] >= 0 && ends[0] < ends[1] && ends[1] <= one.t_end))
+      window->reject(fmt::format("it must be [from, to] in s with 0 <= from < to <= t_end = {} s", one.t_end));
+    one.motion_window = {ends[0], ends[1]};
+  }
   check_spec(one.baseline, where);
   for (const auto& spec : one.integrators) check_spec(spec, where);
 }

@@ -1,7 +1,9 @@
 #pragma once
 /// A case file with a table [dynamics]: a press with moving particles.
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dynamics/read_model.hpp"
@@ -19,6 +21,8 @@ struct SinteringCase {
   SteppingSettings stepping;
   std::string baseline = "forward-euler";   ///< of `superstep bench`
   std::vector<std::string> integrators;     ///< thermal integrators that `superstep bench` compares
+  /// From when to when `superstep bench` compares schemes for the motion [s]; empty = it does not.
+  std::optional<std::pair<double, double>> motion_window;
 };
 
 /// True when the file parses and has a table [dynamics]. Throws InputError when it does not parse.

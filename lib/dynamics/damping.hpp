@@ -1,6 +1,7 @@
 #pragma once
 /// Optional damping of the normal motion in a contact; the source paper has none.
 
+#include <algorithm>
 #include <cmath>
 
 namespace superstep::dynamics {
@@ -16,6 +17,12 @@ namespace superstep::dynamics {
 /// critical damping at the present overlap. It vanishes with the overlap, so the force has no jump at touch.
 [[nodiscard]] inline double normal_damping(double share, double mass, double slope) noexcept {
   return 2 * share * std::sqrt(mass * slope);
+}
+
+/// Repulsion [N] with its damping: a contact never pulls, however fast the bodies move apart.
+///   parting [m/s]  speed at which they do, < 0 while they approach
+[[nodiscard]] inline double damped_push(double push, double damping, double parting) noexcept {
+  return std::max(push - damping * parting, 0.0);
 }
 
 }  // namespace superstep::dynamics

@@ -22,10 +22,10 @@ std::size_t at(std::int32_t i) noexcept {
 ///   push      size of the repulsive force [N]
 ///   damping   normal damping coefficient [kg/s]
 Vec3 force_through(const ContactLaw& law, Vec3 normal, Vec3 relative, double push, double damping) noexcept {
-  const double closing = dot(relative, normal);  // < 0 while the bodies approach each other
-  Vec3 force = (damping * closing - push) * normal;
+  const double parting = dot(relative, normal);  // > 0 while the bodies move apart
+  Vec3 force = -damped_push(push, damping, parting) * normal;
   if (law.friction > 0) {
-    const Vec3 slip = relative - closing * normal;
+    const Vec3 slip = relative - parting * normal;
     force = force + push * friction_direction(law.friction, slip, law.friction_speed);
   }
   return force;
@@ -89,7 +89,7 @@ double sum_forces(const Model& model, const Particles& particles, const Placemen
         damping_of(model.wall, push, contact.strain, particles.radius[i], particles.mass[i]);
     const Vec3 relative = wall_velocity(placement, contact.wall) - velocity[i];
     force[i] = force[i] + force_through(model.wall, normal, relative, push, damping);
-    if (contact.wall == upper) on_upper_wall += push - damping * dot(relative, normal);
+    if (contact.wall == upper) on_upper_wall += damped_push(push, damping, dot(relative, normal));
   }
   return on_upper_wall;
 }
