@@ -60,7 +60,7 @@ RunRecord record_of(const SinteringCase& one, const Motion& motion, const Sinter
   record.title = one.title;
   record.source = one.source;
   record.integrator = plain ? "plain" : "staggered";
-  record.params = spec.empty() ? "" : "thermal_integrator=" + spec;
+  record.params = fmt::format("{}{}", spec.empty() ? "" : "thermal_integrator=", spec);
   record.status = status_name(result.outcome.status);
   record.reason = result.outcome.reason;
   record.t_end = one.t_end;
@@ -153,10 +153,9 @@ std::string sintering_summary(const SinteringCase& one, const Motion& motion, co
   std::string text;
   const std::string scheme =
       one.stepping.scheme == dynamics::SteppingSettings::Scheme::plain ? "plain" : "staggered";
-  text += fmt::format("{}{}: {}{}\n", scheme,
-                      one.stepping.thermal_integrator.empty() ? "" : " + " + one.stepping.thermal_integrator,
-                      status_name(result.outcome.status),
-                      result.outcome.ok() ? "" : ": " + result.outcome.reason);
+  text += fmt::format("{}{}{}: {}{}{}\n", scheme, one.stepping.thermal_integrator.empty() ? "" : " + ",
+                      one.stepping.thermal_integrator, status_name(result.outcome.status),
+                      result.outcome.ok() ? "" : ": ", result.outcome.reason);
   text += fmt::format("{:<12} {:>8} {:>9} {:>8} {:>8} {:>11} {:>7} {:>9}\n", "phase", "end [s]", "fraction",
                       "mean [K]", "max [K]", "wall [N]", "bonds", "contacts");
   for (const auto& row : phase_ends(motion.history()))

@@ -164,7 +164,7 @@ BenchCase bench_thermal_lanes(const SinteringCase& one, const HarnessOptions& op
   result.unknowns = one.particles.size();
   result.t_end = one.t_end;
   result.output_times = one.output_times;
-  result.unit = "K";
+  result.unit.push_back('K');  // assigning a literal makes g++ 12 warn about overlapping memory
   for (auto& lane : lanes) {
     if (!outcome.ok() && lane.outcome.ok()) lane.outcome = outcome;
     result.rows.push_back(row_of(one, lane, options));

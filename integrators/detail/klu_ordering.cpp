@@ -3,6 +3,7 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace superstep {
@@ -14,6 +15,10 @@ std::vector<SuiteSparse_long> nested_dissection(const SparsePattern& pattern) {
   std::vector<SuiteSparse_long> column_begin(pattern.column_begin.begin(), pattern.column_begin.end());
   std::vector<SuiteSparse_long> row(pattern.row.begin(), pattern.row.end());
   std::vector<SuiteSparse_long> permutation(pattern.diagonal.size());
+  if (row.size() == permutation.size()) {  // a diagonal: METIS refuses it, and any order will do
+    std::iota(permutation.begin(), permutation.end(), 0);
+    return permutation;
+  }
   cholmod_common cholmod;
   cholmod_l_start(&cholmod);
   cholmod.print = 0;

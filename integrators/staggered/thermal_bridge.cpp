@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "core/stopwatch.hpp"
 #include "integrators/registry.hpp"
@@ -83,6 +84,8 @@ Outcome ThermalBridge::advance(const MovingNetwork& moving, double h, std::span<
     max_stages_ = std::max(max_stages_, statistics.max_stages);
   } catch (const Refused& refused) {
     outcome = {Status::refused, refused.what()};
+  } catch (const std::runtime_error& error) {  // of a factorization, say
+    outcome = {Status::failed, error.what()};
   }
   sweeps_ += rhs.counters().sweeps;
   cpu_stepping_ += process_cpu_seconds() - built;
