@@ -19,13 +19,13 @@ namespace {
 using dynamics::SinteringCase;
 
 struct PressFacts {
-  double volume = 0, mass = 0;             ///< m3, kg
-  double fraction_start = 0;               ///< of the whole box
-  double fraction_pressed = 0;             ///< when every particle lies below the lowest wall
-  double joule_rate = 0;                   ///< K/s of a particle that carries the largest current; 0 = none
-  double contact_time = 0;                 ///< m C/(kappa A/d) of a pair at 10 % overlap [s]
-  double motion_time = 0;                  ///< sqrt(m/k) of the same pair, cold [s]
-  double largest_current = 0;              ///< A
+  double volume = 0, mass = 0;  ///< m3, kg
+  double fraction_start = 0;    ///< of the whole box
+  double fraction_pressed = 0;  ///< when every particle lies below the lowest wall
+  double joule_rate = 0;        ///< K/s of a particle that carries the largest current; 0 = none
+  double contact_time = 0;      ///< m C/(kappa A/d) of a pair at 10 % overlap [s]
+  double motion_time = 0;       ///< sqrt(m/k) of the same pair, cold [s]
+  double largest_current = 0;   ///< A
 };
 
 PressFacts facts_of(const SinteringCase& one) {
@@ -54,7 +54,8 @@ PressFacts facts_of(const SinteringCase& one) {
     facts.contact_time = capacity * distance / (model.thermal.conductivity * area);
   const double force = dynamics::contact_force(model.contact, -strain, area, one.state.temperature[small]);
   if (force > 0)
-    facts.motion_time = std::sqrt(mass / dynamics::contact_slope(force, model.contact.exponent, strain, 2 * r));
+    facts.motion_time =
+        std::sqrt(mass / dynamics::contact_slope(force, model.contact.exponent, strain, 2 * r));
   if (model.electric.model == dynamics::CurrentModel::averaging) {
     for (const auto& phase : model.schedule.phases())
       for (const auto& current : {phase.lower, phase.upper})
@@ -86,7 +87,8 @@ std::string info_text(const SinteringCase& one, const PressFacts& facts) {
   line("volume fraction of the box", fmt::format("{:.4f}", facts.fraction_start));
   line("volume fraction, fully pressed", fmt::format("{:.4f}", facts.fraction_pressed));
   line("oscillation of a pair", fmt::format("{:.4g} s (sqrt(m/k) at 10 % overlap, cold)", facts.motion_time));
-  line("heat exchange of a pair", fmt::format("{:.4g} s (m C d/(kappa A) at 10 % overlap)", facts.contact_time));
+  line("heat exchange of a pair",
+       fmt::format("{:.4g} s (m C d/(kappa A) at 10 % overlap)", facts.contact_time));
   if (facts.largest_current > 0)
     line("Joule heat", fmt::format("{:.4g} K/s at {:.4g} A", facts.joule_rate, facts.largest_current));
   line("temperatures taken by", one.stepping.thermal_integrator.empty()

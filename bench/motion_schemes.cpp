@@ -85,7 +85,8 @@ SteppingSettings plain(const SinteringCase& one, double fraction) {
 
 MotionComparison compare_motion_schemes(const SinteringCase& one, Progress& progress) {
   const auto [begin, end] = one.motion_window.value();
-  MotionComparison result{.begin = begin, .end = end, .travelled = 0, .reference = {}, .reference_error = 0, .rows = {}};
+  MotionComparison result{
+      .begin = begin, .end = end, .travelled = 0, .reference = {}, .reference_error = 0, .rows = {}};
   progress.begin(one.name + ": motion", 1);
   Motion approach(one.model, one.particles, one.stepping);
   approach.start(one.state);
@@ -100,7 +101,8 @@ MotionComparison compare_motion_schemes(const SinteringCase& one, Progress& prog
   const Finished exact = run(one, reference_settings(one, end - begin, reference_steps), start, end);
   require_ok(coarse.outcome, "the reference of the motion failed");
   require_ok(exact.outcome, "the reference of the motion failed");
-  result.reference = fmt::format("staggered, tolerance 1e-10, step {:.3g} s", (end - begin) / reference_steps);
+  result.reference =
+      fmt::format("staggered, tolerance 1e-10, step {:.3g} s", (end - begin) / reference_steps);
   result.reference_error = rms_distance(coarse.state, exact.state);
   result.travelled = rms_distance(start, exact.state);
 
@@ -127,7 +129,8 @@ MotionComparison compare_motion_schemes(const SinteringCase& one, Progress& prog
 std::string motion_table(const MotionComparison& comparison) {
   std::string text = fmt::format(
       "motion from {:g} to {:g} s: particles move by {:.3g} m (rms); reference {}, its error {:.1e} m\n",
-      comparison.begin, comparison.end, comparison.travelled, comparison.reference, comparison.reference_error);
+      comparison.begin, comparison.end, comparison.travelled, comparison.reference,
+      comparison.reference_error);
   text += fmt::format("{:<10} {:<36} {:<8} {:>8} {:>9} {:>10} {:>9} {:>10} {:>10}\n", "scheme", "settings",
                       "status", "steps", "restarts", "force eval", "CPU [s]", "error [m]", "error [K]");
   for (const auto& row : comparison.rows)
@@ -140,9 +143,10 @@ std::string motion_table(const MotionComparison& comparison) {
 std::string motion_csv(const SinteringCase& one, const MotionComparison& comparison) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
-  fmt::format_to(to,
-                 "case,scheme,settings,status,reason,begin,end,steps,rejected,force_evaluations,cpu_stepping_s,"
-                 "error_position_rms,error_temperature_rms,reference_error_position\n");
+  fmt::format_to(
+      to,
+      "case,scheme,settings,status,reason,begin,end,steps,rejected,force_evaluations,cpu_stepping_s,"
+      "error_position_rms,error_temperature_rms,reference_error_position\n");
   for (const auto& row : comparison.rows)
     fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(one.name), row.scheme,
                    csv_cell(row.settings), row.status, csv_cell(row.reason), comparison.begin, comparison.end,

@@ -20,10 +20,10 @@ struct MotionRow {
 };
 
 struct MotionComparison {
-  double begin = 0, end = 0;     ///< s
-  double travelled = 0;          ///< rms distance that the particles move in the window [m]
-  std::string reference;         ///< how it was computed
-  double reference_error = 0;    ///< rms distance between two references, one with twice the step [m]
+  double begin = 0, end = 0;   ///< s
+  double travelled = 0;        ///< rms distance that the particles move in the window [m]
+  std::string reference;       ///< how it was computed
+  double reference_error = 0;  ///< rms distance between two references, one with twice the step [m]
   std::vector<MotionRow> rows;
 };
 

@@ -74,8 +74,8 @@ class Checkpoints {
     if (interval_) written_ = std::floor(t / *interval_);
   }
   void write(const SinteringCase& one, const Motion& motion) const {
-    write_file_atomically(file_, dynamics::checkpoint_image({one.particles, motion.state(),
-                                                             motion.next_step(), motion.history()}));
+    write_file_atomically(file_, dynamics::checkpoint_image(
+                                     {one.particles, motion.state(), motion.next_step(), motion.history()}));
   }
   [[nodiscard]] bool wanted() const noexcept { return interval_.has_value(); }
 
@@ -90,14 +90,15 @@ std::string snapshot_name(std::size_t number) {
 }
 
 /// Phases whose electrified walls found nobody to carry their current.
-void warn_without_path(const Motion& motion, const dynamics::Model& model, std::vector<std::string>& warnings) {
+void warn_without_path(const Motion& motion, const dynamics::Model& model,
+                       std::vector<std::string>& warnings) {
   const auto& phase = model.schedule.phases()[static_cast<std::size_t>(motion.history().back().phase)];
   if (model.electric.model == dynamics::CurrentModel::none || !(phase.lower || phase.upper)) return;
   if (motion.state().time < phase.end || motion.connected_in_step() > 0) return;
-  warnings.push_back(
-      fmt::format("at the end of phase '{}' (t = {:.4g} s) no particle has a path to an electrified wall: none "
-                  "carries current",
-                  phase.name, phase.end));
+  warnings.push_back(fmt::format(
+      "at the end of phase '{}' (t = {:.4g} s) no particle has a path to an electrified wall: none "
+      "carries current",
+      phase.name, phase.end));
 }
 
 SinteringResult integrate(const SinteringCase& one, const RunCommand& command, const std::string& folder,
@@ -134,7 +135,8 @@ int exit_code_of(const Outcome& outcome) {
 }
 
 /// One run into one folder.
-int run_into(const SinteringCase& one, const RunCommand& command, double cpu_setup, const std::string& folder) {
+int run_into(const SinteringCase& one, const RunCommand& command, double cpu_setup,
+             const std::string& folder) {
   require_writable_folder(folder);
   const bool quiet = command.common.quiet;
   Progress progress(!quiet && stderr_is_terminal());

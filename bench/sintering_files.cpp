@@ -93,9 +93,10 @@ RunRecord record_of(const SinteringCase& one, const Motion& motion, const Sinter
 std::string history_csv(const SinteringCase& one, std::span<const HistoryRow> history) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
-  fmt::format_to(to,
-                 "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,"
-                 "contacts,step,iterations,rejections\n");
+  fmt::format_to(
+      to,
+      "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,"
+      "contacts,step,iterations,rejections\n");
   for (const auto& row : history)
     fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, csv_cell(phase_name(one, row)),
                    row.volume_fraction, row.mean_temperature, row.max_temperature, row.wall_force,
@@ -109,9 +110,9 @@ std::string particles_csv(const SinteringCase& one, const dynamics::State& state
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
   fmt::format_to(to, "id,x,y,z,r{},temperature,vx,vy,vz\n",
-                 !electric                                        ? ""
+                 !electric                                    ? ""
                  : model == dynamics::CurrentModel::averaging ? ",current"
-                                                                  : ",potential");
+                                                              : ",potential");
   std::vector<std::size_t> order(state.size());
   std::iota(order.begin(), order.end(), 0);
   const auto& id = one.particles.id;

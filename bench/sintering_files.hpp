@@ -15,8 +15,8 @@ namespace superstep {
 [[nodiscard]] std::string history_csv(const dynamics::SinteringCase& one,
                                       std::span<const dynamics::HistoryRow> history);
 
-/// Particles by id: id,x,y,z,r [m], temperature [K], current [A] or potential [V] when the case has a current,
-/// velocity [m/s]. The columns of final.csv of a fixed network come first.
+/// Particles by id: id,x,y,z,r [m], temperature [K], current [A] or potential [V] when the case has a
+/// current, velocity [m/s]. The columns of final.csv of a fixed network come first.
 [[nodiscard]] std::string particles_csv(const dynamics::SinteringCase& one, const dynamics::State& state);
 
 /// What a run of moving particles cost and how it ended.
@@ -26,13 +26,14 @@ struct SinteringResult {
   std::vector<std::string> files, warnings;
 };
 
-/// run.json: as for a fixed network, and under "motion" the state at the end of each phase and the CPU time of
-/// each part.
+/// run.json: as for a fixed network, and under "motion" the state at the end of each phase and the CPU time
+/// of each part.
 [[nodiscard]] std::string sintering_json(const dynamics::SinteringCase& one, const dynamics::Motion& motion,
                                          const SinteringResult& result, int threads);
 
 /// The same in words: a table of the phases, the parts with their shares.
-[[nodiscard]] std::string sintering_summary(const dynamics::SinteringCase& one, const dynamics::Motion& motion,
-                                            const SinteringResult& result, const std::string& folder);
+[[nodiscard]] std::string sintering_summary(const dynamics::SinteringCase& one,
+                                            const dynamics::Motion& motion, const SinteringResult& result,
+                                            const std::string& folder);
 
 }  // namespace superstep

@@ -45,7 +45,8 @@ void advance_all(std::vector<Lane>& lanes, std::size_t repetitions, const Moving
   std::vector<std::vector<double>> begin;
   for (const auto& lane : lanes) begin.push_back(lane.temperature);
   for (std::size_t k = 0; k < repetitions; ++k)
-    for (const std::size_t lane : round_order(lanes.size(), k)) advance(lanes[lane], k, network, h, begin[lane]);
+    for (const std::size_t lane : round_order(lanes.size(), k))
+      advance(lanes[lane], k, network, h, begin[lane]);
 }
 
 void raise(Number& worst, double value) {
@@ -176,9 +177,10 @@ BenchCase bench_thermal_lanes(const SinteringCase& one, const HarnessOptions& op
     if (!exact.front().outcome.ok())
       result.warnings.push_back("the reference failed: " + exact.front().outcome.reason);
   }
-  result.warnings.push_back(fmt::format(
-      "every method starts anew after each of the {} contact updates; its preparation is part of its stepping",
-      updates));
+  result.warnings.push_back(
+      fmt::format("every method starts anew after each of the {} contact updates; its preparation is part of "
+                  "its stepping",
+                  updates));
   return result;
 }
 

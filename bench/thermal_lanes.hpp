@@ -1,9 +1,9 @@
 #pragma once
 /// Thermal integrators side by side along one and the same motion.
 ///
-/// Every method carries temperatures of its own from contact update to contact update, over the frozen networks
-/// that the motion passes through; the motion itself follows the case's own settings. So all see the same
-/// networks, and errors add up as they would in a run.
+/// Every method carries temperatures of its own from contact update to contact update, over the frozen
+/// networks that the motion passes through; the motion itself follows the case's own settings. So all see the
+/// same networks, and errors add up as they would in a run.
 
 #include <string>
 #include <vector>

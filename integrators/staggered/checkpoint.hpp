@@ -18,8 +18,8 @@ struct Checkpoint {
 
 /// Binary image in the machine's number format, with a version and a checksum.
 [[nodiscard]] std::string checkpoint_image(const Checkpoint& checkpoint);
-/// Reads a file written from `checkpoint_image`. Throws InputError for anything else, a damaged file, or one of
-/// another version.
+/// Reads a file written from `checkpoint_image`. Throws InputError for anything else, a damaged file, or one
+/// of another version.
 [[nodiscard]] Checkpoint read_checkpoint(const std::string& path);
 
 }  // namespace superstep::dynamics

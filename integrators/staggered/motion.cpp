@@ -109,7 +109,8 @@ Outcome Motion::take_step(double t_out) {
     }
     ++rejected_;
     step_ = h * settings_.bounds.after_failure(attempt.factor);
-    if (step_ < settings_.smallest_step || state_.time + step_ <= state_.time) return collapsed(step_, attempt);
+    if (step_ < settings_.smallest_step || state_.time + step_ <= state_.time)
+      return collapsed(step_, attempt);
   }
 }
 
@@ -132,11 +133,12 @@ Outcome Motion::check() const {
   for (const auto& contact : network_.placement().walls) {
     if (!(contact.distance < 0)) continue;
     const Vec3& at = state_.position[static_cast<std::size_t>(contact.particle)];
-    return {Status::failed,
-            fmt::format("particle {} at ({:.4g}, {:.4g}, {:.4g}) m escapes through the {} wall at t = {:.6g} s; "
-                        "make the walls stiffer, the press slower or the step smaller",
-                        particles_.id[static_cast<std::size_t>(contact.particle)], at.x, at.y, at.z,
-                        wall_name(contact.wall), state_.time)};
+    return {
+        Status::failed,
+        fmt::format("particle {} at ({:.4g}, {:.4g}, {:.4g}) m escapes through the {} wall at t = {:.6g} s; "
+                    "make the walls stiffer, the press slower or the step smaller",
+                    particles_.id[static_cast<std::size_t>(contact.particle)], at.x, at.y, at.z,
+                    wall_name(contact.wall), state_.time)};
   }
   return {};
 }
@@ -159,8 +161,8 @@ void Motion::record(const Phase& phase, double h, std::int64_t iterations, std::
   HistoryRow row;
   row.time = state_.time;
   row.phase = static_cast<std::int32_t>(&phase - model_.schedule.phases().data());
-  row.volume_fraction = volume_fraction(model_.box, model_.schedule.lowest_wall(), state_.position,
-                                        particles_.radius);
+  row.volume_fraction =
+      volume_fraction(model_.box, model_.schedule.lowest_wall(), state_.position, particles_.radius);
   row.max_temperature = state_.temperature.front();
   for (std::size_t i = 0; i < state_.size(); ++i) {
     row.mean_temperature += state_.temperature[i];

@@ -22,16 +22,16 @@ struct SteppingSettings {
     plain,      ///< semi-implicit Euler, one force evaluation a step, at a part of its stability limit
   };
   Scheme scheme = Scheme::staggered;
-  double phi = 0.5;                    ///< 0 to 1; 0.5 is second order
-  int iterations = 10;                 ///< K_d, wanted iterations of a step, >= 2
-  double tolerance_position = 5e-4;    ///< TOL_r
-  double tolerance_temperature = 5e-4; ///< TOL_T
-  double power = 2;                    ///< p of the contraction ~ h^p
-  double first_step = 0.005;           ///< s
-  double largest_step = 0.005;         ///< dt_lim [s]
-  double smallest_step = 1e-9;         ///< s; a step that has to become smaller is a failure
+  double phi = 0.5;                     ///< 0 to 1; 0.5 is second order
+  int iterations = 10;                  ///< K_d, wanted iterations of a step, >= 2
+  double tolerance_position = 5e-4;     ///< TOL_r
+  double tolerance_temperature = 5e-4;  ///< TOL_T
+  double power = 2;                     ///< p of the contraction ~ h^p
+  double first_step = 0.005;            ///< s
+  double largest_step = 0.005;          ///< dt_lim [s]
+  double smallest_step = 1e-9;          ///< s; a step that has to become smaller is a failure
   StepBounds bounds;
-  double fraction = 0.5;               ///< plain scheme: of its stability limit
+  double fraction = 0.5;  ///< plain scheme: of its stability limit
   /// SPEC of the integrator that takes the temperatures over each step once the motion has converged; empty =
   /// the phi rule inside the iteration.
   std::string thermal_integrator;
@@ -71,8 +71,8 @@ class Stepper {
 
 class Motion {
  public:
-  /// Model and particles must outlive it. Throws InputError for zero particles and InputError or UsageError for
-  /// settings out of range.
+  /// Model and particles must outlive it. Throws InputError for zero particles and InputError or UsageError
+  /// for settings out of range.
   Motion(const Model& model, const Particles& particles, const SteppingSettings& settings);
 
   /// Starts at `state`: bonds form, electrified walls act.
@@ -95,8 +95,8 @@ class Motion {
   [[nodiscard]] std::uint64_t iterations() const noexcept { return iterations_; }
   [[nodiscard]] const ThermalBridge* bridge() const noexcept { return stepper_->bridge(); }
 
-  /// Called after each accepted step, before bonds, electrodes and current change: the network is placed at the
-  /// step's end and h [s] is its size.
+  /// Called after each accepted step, before bonds, electrodes and current change: the network is placed at
+  /// the step's end and h [s] is its size.
   std::function<void(const MovingNetwork& network, double h)> observe_step;
   /// Called when everything about a step is done: `state`, `history` and `next_step` make a checkpoint.
   std::function<void()> after_step;

@@ -78,7 +78,8 @@ void read_bench(TomlTable& root, SinteringCase& one) {
   if (const auto window = bench->find("motion_window")) {
     const auto ends = window->numbers();
     if (ends.size() != 2 || !(ends[0] >= 0 && ends[0] < ends[1] && ends[1] <= one.t_end))
-      window->reject(fmt::format("it must be [from, to] in s with 0 <= from < to <= t_end = {} s", one.t_end));
+      window->reject(
+          fmt::format("it must be [from, to] in s with 0 <= from < to <= t_end = {} s", one.t_end));
     one.motion_window = {ends[0], ends[1]};
   }
   check_spec(one.baseline, where);

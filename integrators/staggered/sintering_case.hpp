@@ -19,8 +19,8 @@ struct SinteringCase {
   Particles particles;
   State state;
   SteppingSettings stepping;
-  std::string baseline = "forward-euler";   ///< of `superstep bench`
-  std::vector<std::string> integrators;     ///< thermal integrators that `superstep bench` compares
+  std::string baseline = "forward-euler";  ///< of `superstep bench`
+  std::vector<std::string> integrators;    ///< thermal integrators that `superstep bench` compares
   /// From when to when `superstep bench` compares schemes for the motion [s]; empty = it does not.
   std::optional<std::pair<double, double>> motion_window;
 };

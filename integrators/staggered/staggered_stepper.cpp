@@ -71,9 +71,9 @@ bool StaggeredStepper::measure_motion(const State& state, int iteration) {
 bool StaggeredStepper::measure_heat(const State& state, int iteration) {
   const double change =
       reduction_.sum([&](std::size_t i) { return std::abs(temperature_[i] - temperature_before_[i]); });
-  temperature_error_.measure(
-      iteration, change,
-      reduction_.sum([&](std::size_t i) { return std::abs(temperature_[i] - state.temperature[i]); }));
+  temperature_error_.measure(iteration, change, reduction_.sum([&](std::size_t i) {
+    return std::abs(temperature_[i] - state.temperature[i]);
+  }));
   return std::isfinite(change);
 }
 
@@ -101,12 +101,11 @@ void StaggeredStepper::blame(const State& state, Attempt& attempt) const {
     if (finite && !(change > worst)) continue;
     worst = change;
     attempt.culprit = static_cast<std::int32_t>(i);
-    attempt.why =
-        !finite ? "has a force or temperature that is not finite"
-                : fmt::format("still changes by {:.3g} {} in iteration {}, of {:.3g} in the step", change,
-                              by_heat ? "K" : "m", attempt.iterations,
-                              by_heat ? std::abs(temperature_[i] - state.temperature[i])
-                                      : norm(position_[i] - state.position[i]));
+    attempt.why = !finite ? "has a force or temperature that is not finite"
+                          : fmt::format("still changes by {:.3g} {} in iteration {}, of {:.3g} in the step",
+                                        change, by_heat ? "K" : "m", attempt.iterations,
+                                        by_heat ? std::abs(temperature_[i] - state.temperature[i])
+                                                : norm(position_[i] - state.position[i]));
     if (!finite) return;
   }
 }

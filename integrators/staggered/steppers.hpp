@@ -12,9 +12,9 @@ namespace superstep::dynamics {
 /// phi rule for positions, velocities and temperatures by staggered fixed-point iteration.
 ///   r = r_L + h (phi v + (1 - phi) v_L),  v = v_L + h/m (phi F + (1 - phi) F_L),
 ///   T = T_L + h (phi q + (1 - phi) q_L)
-/// Iterate 0 is the Euler predictor. Each iteration takes the motion first, with the temperatures frozen, then
-/// the temperatures at the new contacts. Order 2 in time at phi = 0.5, else 1.
-/// Source: Zohdi (2014), eqs 22-27, 36, 45-49, Algorithm 1, doi:10.1177/1081286513505472.
+/// Iterate 0 is the Euler predictor. Each iteration takes the motion first, with the temperatures frozen,
+/// then the temperatures at the new contacts. Order 2 in time at phi = 0.5, else 1. Source: Zohdi (2014), eqs
+/// 22-27, 36, 45-49, Algorithm 1, doi:10.1177/1081286513505472.
 class StaggeredStepper final : public Stepper {
  public:
   StaggeredStepper(const SteppingSettings& settings, MovingNetwork& network);
@@ -22,7 +22,9 @@ class StaggeredStepper final : public Stepper {
   [[nodiscard]] Attempt attempt(State& state, const Phase& phase, double h) override;
   [[nodiscard]] double limit() const noexcept override { return settings_.largest_step; }
   [[nodiscard]] double wall_force() const noexcept override { return wall_force_; }
-  [[nodiscard]] const ThermalBridge* bridge() const noexcept override { return bridge_ ? &*bridge_ : nullptr; }
+  [[nodiscard]] const ThermalBridge* bridge() const noexcept override {
+    return bridge_ ? &*bridge_ : nullptr;
+  }
 
  private:
   void predict(const State& state, double h);
@@ -47,8 +49,8 @@ class StaggeredStepper final : public Stepper {
   FieldError position_error_, temperature_error_;
 };
 
-/// Semi-implicit Euler: v = v_L + h F_L/m, then r = r_L + h v; T by forward Euler. One evaluation of the forces
-/// a step, order 1, the step a part of the stability limit of the moment. For comparison.
+/// Semi-implicit Euler: v = v_L + h F_L/m, then r = r_L + h v; T by forward Euler. One evaluation of the
+/// forces a step, order 1, the step a part of the stability limit of the moment. For comparison.
 class PlainStepper final : public Stepper {
  public:
   PlainStepper(const SteppingSettings& settings, MovingNetwork& network);
@@ -56,7 +58,9 @@ class PlainStepper final : public Stepper {
   [[nodiscard]] Attempt attempt(State& state, const Phase& phase, double h) override;
   [[nodiscard]] double limit() const noexcept override { return limit_; }
   [[nodiscard]] double wall_force() const noexcept override { return wall_force_; }
-  [[nodiscard]] const ThermalBridge* bridge() const noexcept override { return bridge_ ? &*bridge_ : nullptr; }
+  [[nodiscard]] const ThermalBridge* bridge() const noexcept override {
+    return bridge_ ? &*bridge_ : nullptr;
+  }
 
  private:
   double fraction_;

@@ -17,9 +17,10 @@ double pair_step(const Network& network) {
   for (std::size_t row = 0; row < network.size(); ++row)
     for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k) {
       const double c_i = network.capacity[row];
-      const double c_j = network.capacity[static_cast<std::size_t>(network.column[static_cast<std::size_t>(k)])];
-      smallest =
-          std::min(smallest, 2 * c_i * c_j / ((c_i + c_j) * network.conductance[static_cast<std::size_t>(k)]));
+      const double c_j =
+          network.capacity[static_cast<std::size_t>(network.column[static_cast<std::size_t>(k)])];
+      smallest = std::min(smallest,
+                          2 * c_i * c_j / ((c_i + c_j) * network.conductance[static_cast<std::size_t>(k)]));
     }
   return smallest;
 }
@@ -58,7 +59,8 @@ Outcome ThermalBridge::advance(const MovingNetwork& moving, double h, std::span<
       temperature[static_cast<std::size_t>(node_of_row[row])] = values[row];
   };
   if (network.nonzeros() == 0 && network.ghost_edges.empty()) {  // nothing conducts: exact
-    for (std::size_t row = 0; row < rows; ++row) free_[row] += h * network.source[row] / network.capacity[row];
+    for (std::size_t row = 0; row < rows; ++row)
+      free_[row] += h * network.source[row] / network.capacity[row];
     give_back(free_);
     cpu_building_ += process_cpu_seconds() - begin;
     return {};

@@ -48,8 +48,8 @@ void ContactPoints::set_bonds(std::span<const Bond> bonds) {
   if (!list_.pairs().empty()) spread_bonds();
 }
 
-// Both are sorted by (i, j). A trial position may throw a bonded pair out of the list; its bond comes back with
-// the next list, because `bonds_` changes with accepted steps only.
+// Both are sorted by (i, j). A trial position may throw a bonded pair out of the list; its bond comes back
+// with the next list, because `bonds_` changes with accepted steps only.
 void ContactPoints::spread_bonds() {
   const auto pairs = list_.pairs();
   bond_area_.assign(pairs.size(), 0.0);

@@ -14,11 +14,11 @@ namespace superstep::dynamics {
 /// A pair that acts on each other: in contact, or held together by a bond.
 struct ContactPoint {
   std::int32_t i, j;
-  Vec3 normal;         ///< from i to j
-  double strain;       ///< E < 0 in contact
-  double area;         ///< A_c [m2]; of the bond where the pair has come apart
-  double distance;     ///< of the centres [m]
-  double radius_sum;   ///< m
+  Vec3 normal;        ///< from i to j
+  double strain;      ///< E < 0 in contact
+  double area;        ///< A_c [m2]; of the bond where the pair has come apart
+  double distance;    ///< of the centres [m]
+  double radius_sum;  ///< m
   bool bonded;
 };
 
@@ -48,8 +48,8 @@ class ContactPoints {
 
   BondLaw law_;
   NeighbourList list_;
-  std::vector<double> bond_area_;        // of each pair of the list; 0 = none [m2]
-  std::vector<std::size_t> pair_of_;     // [points] position in the list
+  std::vector<double> bond_area_;     // of each pair of the list; 0 = none [m2]
+  std::vector<std::size_t> pair_of_;  // [points] position in the list
   std::vector<ContactPoint> points_;
   std::vector<Bond> bonds_;
   std::size_t touching_ = 0;

@@ -51,8 +51,9 @@ void CurrentField::solve(std::span<double> x, Values values) {
     laplacian_.find_reached(edges_, fixed_);
 }
 
-// J_i = sum_j A_ij J_j / sum_j A_ij, and J of the wall where a particle touches an electrified one (of two, the
-// one it is pressed into deeper). H_i = a J_i^2 V_i/sigma. Source: Zohdi (2014), eqs 35 and 42, section 5.2.
+// J_i = sum_j A_ij J_j / sum_j A_ij, and J of the wall where a particle touches an electrified one (of two,
+// the one it is pressed into deeper). H_i = a J_i^2 V_i/sigma. Source: Zohdi (2014), eqs 35 and 42,
+// section 5.2.
 void CurrentField::averaging(const Placement& placement, const Electrodes& electrodes,
                              std::span<double> electric, Values values) {
   const std::size_t n = electric.size();
@@ -76,8 +77,8 @@ void CurrentField::averaging(const Placement& placement, const Electrodes& elect
   }
 }
 
-// Resistors sigma A/d between particles and to the walls, which are two nodes more. The heat of a branch goes to
-// its two particles in equal parts (equal materials); that of a branch to a wall goes to its particle.
+// Resistors sigma A/d between particles and to the walls, which are two nodes more. The heat of a branch goes
+// to its two particles in equal parts (equal materials); that of a branch to a wall goes to its particle.
 void CurrentField::potential(const Placement& placement, const Electrodes& electrodes,
                              std::span<double> electric, Values values) {
   const std::size_t n = electric.size();
@@ -96,8 +97,8 @@ void CurrentField::potential(const Placement& placement, const Electrodes& elect
       edges_.push_back({contact.i, contact.j, law_.conductivity * contact.area / contact.distance});
   for (const auto& contact : placement.walls)
     if (electrodes.of(contact.wall) && contact.distance > 0)
-      edges_.push_back({contact.particle, node_of(contact.wall),
-                        law_.conductivity * contact.area / contact.distance});
+      edges_.push_back(
+          {contact.particle, node_of(contact.wall), law_.conductivity * contact.area / contact.distance});
   solve(values_, values);
   std::copy_n(values_.begin(), n, electric.begin());
   for (std::size_t i = 0; i < n; ++i) connected_ += laplacian_.reached()[i] ? 1 : 0;

@@ -13,8 +13,9 @@ namespace superstep::dynamics {
   return (exponent + 1) * force / (strain * length);
 }
 
-/// Damping coefficient 2 zeta sqrt(m k) [kg/s] for reduced mass m [kg] and slope k [N/m]: zeta is the share of
-/// critical damping at the present overlap. It vanishes with the overlap, so the force has no jump at touch.
+/// Damping coefficient 2 zeta sqrt(m k) [kg/s] for reduced mass m [kg] and slope k [N/m]: zeta is the share
+/// of critical damping at the present overlap. It vanishes with the overlap, so the force has no jump at
+/// touch.
 [[nodiscard]] inline double normal_damping(double share, double mass, double slope) noexcept {
   return 2 * share * std::sqrt(mass * slope);
 }

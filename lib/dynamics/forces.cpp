@@ -73,8 +73,8 @@ double sum_forces(const Model& model, const Particles& particles, const Placemen
                   std::span<const Vec3> velocity, std::span<const double> temperature,
                   std::span<Vec3> force) {
   for (std::size_t i = 0; i < force.size(); ++i)
-    force[i] = weight(particles.mass[i], model.gravity) +
-               drag_force(model.drag, particles.radius[i], velocity[i]);
+    force[i] =
+        weight(particles.mass[i], model.gravity) + drag_force(model.drag, particles.radius[i], velocity[i]);
   for (const auto& contact : placement.contacts) {
     const Vec3 pair = pair_force(model, particles, contact, velocity, temperature);
     force[at(contact.i)] = force[at(contact.i)] + pair;
@@ -128,7 +128,8 @@ double explicit_step_limit(const Model& model, const Particles& particles, const
   }
   double inverse = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double drag = -drag_force(model.drag, particles.radius[i], model.drag.medium_velocity + Vec3{1, 0, 0}).x;
+    const double drag =
+        -drag_force(model.drag, particles.radius[i], model.drag.medium_velocity + Vec3{1, 0, 0}).x;
     inverse = std::max(inverse, std::sqrt(stiffness[i] / particles.mass[i]) / 2 +
                                     (damping[i] + drag) / (2 * particles.mass[i]));
   }

@@ -12,8 +12,8 @@ namespace superstep::dynamics {
 /// Which particles take the temperature of a wall: its number, or -1.
 using Held = std::span<const std::int32_t>;
 
-/// Temperature rates [K/s]: (sum_j kappa A_ij/|x_i - x_j| (T_j - T_i) + the same to walls + H_i)/(m_i C); 0 for
-/// held particles. Source: Zohdi (2014), eqs 31-35.
+/// Temperature rates [K/s]: (sum_j kappa A_ij/|x_i - x_j| (T_j - T_i) + the same to walls + H_i)/(m_i C); 0
+/// for held particles. Source: Zohdi (2014), eqs 31-35.
 ///   joule [n]  H_i [W]
 void heat_rates(const ThermalLaw& law, const Particles& particles, const Placement& placement, Held held,
                 std::span<const double> joule, std::span<const double> temperature, std::span<double> rate);

@@ -84,7 +84,8 @@ void read_electrodes(TomlTable& table, const ElectricLaw& law, Phase& phase) {
   const bool averaging = law.model == CurrentModel::averaging;
   for (const auto& [key, fits, other] :
        {std::tuple{"current", averaging, "[electric] with model = \"averaging\""},
-        std::tuple{"potential", law.model == CurrentModel::potential, "[electric] with model = \"potential\""}}) {
+        std::tuple{"potential", law.model == CurrentModel::potential,
+                   "[electric] with model = \"potential\""}}) {
     const auto value = table.find(key);
     if (!value) continue;
     if (!fits) value->reject(fmt::format("it needs {}", other));
@@ -105,13 +106,14 @@ Schedule read_phases(TomlTable& dynamics, const Model& model, double t_end) {
     const auto until = table.require("until", "time at which the phase ends [s]");
     phase.begin = time;
     phase.end = until.number();
-    if (!(phase.end > time)) until.reject(fmt::format("it must be later than the phase begins, at {} s", time));
+    if (!(phase.end > time))
+      until.reject(fmt::format("it must be later than the phase begins, at {} s", time));
     phase.upper_wall_begin = phase.upper_wall = height;
     if (const auto wall = table.find("upper_wall")) {
       phase.upper_wall = wall->number();
       if (!(phase.upper_wall > model.box.min.z))
-        wall->reject(fmt::format("the walls would cross: it must stay above the lower wall at {} m",
-                                 model.box.min.z));
+        wall->reject(
+            fmt::format("the walls would cross: it must stay above the lower wall at {} m", model.box.min.z));
     }
     read_electrodes(table, model.electric, phase);
     table.finish();
@@ -120,7 +122,8 @@ Schedule read_phases(TomlTable& dynamics, const Model& model, double t_end) {
     phases.push_back(phase);
   }
   if (time < t_end)
-    list.reject(fmt::format("the last phase ends at {} s, before t_end = {} s; let it last longer", time, t_end));
+    list.reject(
+        fmt::format("the last phase ends at {} s, before t_end = {} s; let it last longer", time, t_end));
   return Schedule(std::move(phases));
 }
 
@@ -154,7 +157,8 @@ ModelInput read_model(TomlTable& root, double t_end) {
   model.schedule = read_phases(dynamics, model, t_end);
   read_particles(table_from(dynamics, "particles", "it holds count and radius, or a list"), density, initial,
                  input);
-  constexpr double usual_skin = 0.2;  // of the smallest radius: wider lists more pairs, narrower lists oftener
+  constexpr double usual_skin =
+      0.2;  // of the smallest radius: wider lists more pairs, narrower lists oftener
   model.skin = positive_or(dynamics, "skin", usual_skin * smallest_radius(input.particles), "m");
   return input;
 }

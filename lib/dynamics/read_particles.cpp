@@ -92,8 +92,9 @@ void check_start(const TomlTable& table, double largest, const ModelInput& input
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
     const double strain = -pair_strain(norm(position[b] - position[a]), radius[a] + radius[b]);
     if (strain > largest)
-      throw InputError(fmt::format("{}: {} and {} overlap by {:.4g} of the sum of their radii at the start; {}",
-                                   table.where(), where_is(input, a), where_is(input, b), strain, way_out));
+      throw InputError(
+          fmt::format("{}: {} and {} overlap by {:.4g} of the sum of their radii at the start; {}",
+                      table.where(), where_is(input, a), where_is(input, b), strain, way_out));
   }
   std::vector<WallContact> walls;
   find_wall_contacts(input.model.box, input.model.box.max.z, position, radius, walls);
@@ -109,7 +110,8 @@ void check_start(const TomlTable& table, double largest, const ModelInput& input
 void read_particles(TomlTable table, double density, double initial, ModelInput& input) {
   if (const auto list = table.find("list")) {
     for (const char* key : {"count", "radius", "seed"})
-      if (const auto value = table.find(key)) value->reject("particles are given by list; remove one of them");
+      if (const auto value = table.find(key))
+        value->reject("particles are given by list; remove one of them");
     read_list(*list, density, initial, input);
   } else {
     generate(table, density, initial, input);

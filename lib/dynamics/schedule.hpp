@@ -10,9 +10,9 @@ namespace superstep::dynamics {
 /// One phase, from the end of the one before (or the start of the run) to `end`.
 struct Phase {
   std::string name;
-  double begin = 0, end = 0;                     ///< s
-  double upper_wall_begin = 0, upper_wall = 0;   ///< height of the upper wall at begin and end [m]
-  std::optional<double> lower, upper;            ///< current [A] or potential [V] of the electrified walls
+  double begin = 0, end = 0;                    ///< s
+  double upper_wall_begin = 0, upper_wall = 0;  ///< height of the upper wall at begin and end [m]
+  std::optional<double> lower, upper;           ///< current [A] or potential [V] of the electrified walls
 
   /// Speed of the upper wall along z [m/s].
   [[nodiscard]] double wall_velocity() const noexcept {

@@ -15,8 +15,7 @@ double volume_fraction(const Box& box, double lowest_wall, std::span<const Vec3>
   double volume = 0;
   for (std::size_t i = 0; i < position.size(); ++i)
     volume += volume_below(radius[i], lowest_wall - position[i].z);
-  return volume /
-         ((box.max.x - box.min.x) * (box.max.y - box.min.y) * (lowest_wall - box.min.z));
+  return volume / ((box.max.x - box.min.x) * (box.max.y - box.min.y) * (lowest_wall - box.min.z));
 }
 
 }  // namespace superstep::dynamics

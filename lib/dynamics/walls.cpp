@@ -17,12 +17,18 @@ Vec3 outward(Wall wall) noexcept {
 
 double wall_distance(const Box& box, double upper_wall, Wall wall, Vec3 point) noexcept {
   switch (wall) {
-    case left_x: return point.x - box.min.x;
-    case right_x: return box.max.x - point.x;
-    case left_y: return point.y - box.min.y;
-    case right_y: return box.max.y - point.y;
-    case lower: return point.z - box.min.z;
-    default: return upper_wall - point.z;
+    case left_x:
+      return point.x - box.min.x;
+    case right_x:
+      return box.max.x - point.x;
+    case left_y:
+      return point.y - box.min.y;
+    case right_y:
+      return box.max.y - point.y;
+    case lower:
+      return point.z - box.min.z;
+    default:
+      return upper_wall - point.z;
   }
 }
 

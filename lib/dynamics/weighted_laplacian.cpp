@@ -39,7 +39,8 @@ void WeightedLaplacian::find_reached(std::span<const WeightedEdge> edges, std::s
   reached_.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i)
     if (fixed[i]) reached_[at(root_of(parent_, static_cast<std::int32_t>(i)))] = 1;
-  for (std::size_t i = 0; i < n; ++i) reached_[i] = reached_[at(root_of(parent_, static_cast<std::int32_t>(i)))];
+  for (std::size_t i = 0; i < n; ++i)
+    reached_[i] = reached_[at(root_of(parent_, static_cast<std::int32_t>(i)))];
 }
 
 void WeightedLaplacian::solve(std::span<const WeightedEdge> edges, std::span<const char> fixed,

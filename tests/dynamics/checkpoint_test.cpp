@@ -1,10 +1,11 @@
+#include "integrators/staggered/checkpoint.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "integrators/staggered/checkpoint.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -61,8 +62,8 @@ TEST_P(Restart, GoesOnToTheLastBit) {
   whole.after_step = [&] {
     if (stored > 0 || whole.state().time < 0.015) return;
     stored = whole.history().size();
-    write_file_atomically(folder.file("c.bin"),
-                          checkpoint_image({press.cloud.particles, whole.state(), whole.next_step(), whole.history()}));
+    write_file_atomically(folder.file("c.bin"), checkpoint_image({press.cloud.particles, whole.state(),
+                                                                  whole.next_step(), whole.history()}));
   };
   ASSERT_TRUE(whole.advance(0.04).ok());
   ASSERT_GT(stored, 0U);
@@ -92,7 +93,8 @@ TEST(CheckpointFile, RefusesWhatIsNotOne) {
   EXPECT_NO_THROW((void)read_checkpoint(folder.write("good.bin", image)));
   EXPECT_THROW((void)read_checkpoint(folder.file("absent.bin")), InputError);
   EXPECT_THROW((void)read_checkpoint(folder.write("text.bin", "id,x,y\n")), InputError);
-  EXPECT_THROW((void)read_checkpoint(folder.write("short.bin", image.substr(0, image.size() / 2))), InputError);
+  EXPECT_THROW((void)read_checkpoint(folder.write("short.bin", image.substr(0, image.size() / 2))),
+               InputError);
   std::string flipped = image;
   flipped[image.size() / 2] = static_cast<char>(flipped[image.size() / 2] ^ 1);
   EXPECT_THROW((void)read_checkpoint(folder.write("flipped.bin", flipped)), InputError);

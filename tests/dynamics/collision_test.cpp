@@ -94,8 +94,8 @@ TEST(Collision, DampingTakesEnergyAwayAndNothingElseDoes) {
     double last = before, rise = 0;
     while (motion.state().time < 0.1) {
       ASSERT_TRUE(motion.advance(motion.state().time + 2e-5).ok());
-      const double strain = std::max(
-          0.0, -pair_strain(norm(motion.state().position[1] - motion.state().position[0]), 2 * r));
+      const double strain =
+          std::max(0.0, -pair_strain(norm(motion.state().position[1] - motion.state().position[0]), 2 * r));
       const double energy =
           kinetic_energy(cloud.particles, motion.state()) + contact_energy(stiffness, r, strain);
       rise = std::max(rise, energy - last);
@@ -120,7 +120,7 @@ TEST(Collision, ManyParticlesKeepTheirMomentum) {
   Motion motion(model, cloud.particles, settings);
   motion.start(cloud.state);
   ASSERT_TRUE(motion.advance(0.05).ok());
-  EXPECT_LT(kinetic_energy(cloud.particles, motion.state()) , 1e9);
+  EXPECT_LT(kinetic_energy(cloud.particles, motion.state()), 1e9);
   const Vec3 lost = momentum(cloud.particles, motion.state()) - momentum(cloud.particles, cloud.state);
   double scale = 0;
   for (std::size_t i = 0; i < cloud.particles.size(); ++i)

@@ -57,7 +57,8 @@ TEST(WeightedLaplacian, EverySolverAgreesWithTheDenseOne) {
     const std::vector<char> reached(laplacian.reached().begin(), laplacian.reached().end());
     const auto exact = dense_solution(edges, fixed, start, reached);
     for (std::size_t i = 0; i < x.size(); ++i)
-      EXPECT_NEAR(x[i], exact[i], 1e-10) << "Jacobi stops at changes of 1e-13, some hundred times below its error";
+      EXPECT_NEAR(x[i], exact[i], 1e-10)
+          << "Jacobi stops at changes of 1e-13, some hundred times below its error";
     for (std::size_t i = n - 5; i < n; ++i) {
       EXPECT_FALSE(reached[i]);
       EXPECT_EQ(x[i], 0) << "no path, no current";
@@ -114,7 +115,8 @@ TEST(Current, IsThatOfTheWallsOnEveryConnectedParticle) {
   EXPECT_EQ(with_current, pile.network->current().connected());
   EXPECT_EQ(J.back(), 0) << "it touches nobody";
   const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(pile.cloud.particles.radius[0], 3);
-  EXPECT_NEAR(pile.network->current().heat()[0], J[0] > 0 ? 0.5 * 25 * volume / 0.1 : 0.0, 1e-12 * volume * 125);
+  EXPECT_NEAR(pile.network->current().heat()[0], J[0] > 0 ? 0.5 * 25 * volume / 0.1 : 0.0,
+              1e-12 * volume * 125);
 }
 
 TEST(Current, SolversFindTheConstantToo) {
@@ -151,7 +153,8 @@ TEST(Current, IsTheMeanOfTheNeighbours) {
   int checked = 0;
   for (std::size_t i = 0; i < J.size(); ++i) {
     if (!(area[i] > 0) || J[i] == 0) continue;
-    EXPECT_NEAR(J[i], weighted[i] / area[i], 1e-8) << "the solver's tolerance of 1e-10 times the contrast of areas";
+    EXPECT_NEAR(J[i], weighted[i] / area[i], 1e-8)
+        << "the solver's tolerance of 1e-10 times the contrast of areas";
     ++checked;
   }
   EXPECT_GT(checked, 50);
@@ -164,7 +167,8 @@ TEST(Current, PotentialFormTurnsAllPowerIntoHeat) {
     double inflow = 0, heat = 0;
     for (const auto& contact : pile.network->placement().walls)
       if (contact.wall == upper)
-        inflow += 0.1 * contact.area / contact.distance * (2.0 - V[static_cast<std::size_t>(contact.particle)]);
+        inflow +=
+            0.1 * contact.area / contact.distance * (2.0 - V[static_cast<std::size_t>(contact.particle)]);
     for (const double h : pile.network->current().heat()) heat += h;
     ASSERT_GT(inflow, 0);
     EXPECT_NEAR(heat, 0.5 * 2.0 * inflow, 1e-7 * heat) << "a U I; the solver's tolerance";

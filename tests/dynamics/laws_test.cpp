@@ -20,6 +20,11 @@ TEST(ContactLaw, AreaIsThatOfTheCircleInWhichTheSpheresIntersect) {
     EXPECT_NEAR(std::sqrt(r_i * r_i - a2) + std::sqrt(r_j * r_j - a2), distance, 1e-15) << "rounding";
   }
   EXPECT_NEAR(pair_area(0.2, 0.1, 0.1), 0.0, 1e-18);
+  const double whole = std::numbers::pi * 0.05 * 0.05;  // of the smaller one
+  EXPECT_DOUBLE_EQ(pair_area(0.06, 0.05, 0.1), whole) << "its centre has passed the plane";
+  EXPECT_DOUBLE_EQ(pair_area(0.06, 0.1, 0.05), whole);
+  EXPECT_NEAR(pair_area(std::sqrt(0.1 * 0.1 - 0.05 * 0.05), 0.1, 0.05), whole, 1e-12 * whole)
+      << "no jump there";
 }
 
 TEST(ContactLaw, SoftensDownToItsFloor) {
@@ -52,7 +57,8 @@ TEST(BondLaw, PrintedRuleActsOnlyBeyondItsThreshold) {
 }
 
 TEST(BondLaw, TensionRuleHoldsUntilItIsTorn) {
-  const BondLaw law{.stiffness = 1e6, .exponent = 2, .threshold = 0.1, .rule = BondRule::tension, .rupture = 0.05};
+  const BondLaw law{
+      .stiffness = 1e6, .exponent = 2, .threshold = 0.1, .rule = BondRule::tension, .rupture = 0.05};
   EXPECT_EQ(bond_after_step(law, 0, -0.09, 1e-3), 0) << "never formed";
   EXPECT_EQ(bond_after_step(law, 2e-3, -0.09, 1e-3), 2e-3);
   EXPECT_EQ(bond_after_step(law, 2e-3, 0.04, 0), 2e-3);

@@ -2,9 +2,9 @@
 
 #include <set>
 
+#include "core/error.hpp"
 #include "dynamics/contact_points.hpp"
 #include "dynamics/random_addition.hpp"
-#include "core/error.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -116,8 +116,9 @@ TEST(RandomAddition, PlacesWithoutOverlapInsideTheBox) {
 }
 
 TEST(RandomAddition, FailureIsAClearError) {
-  const std::string message = message_of<NumericalError>(
-      [] { (void)random_addition({{0, 0, 0}, {1, 1, 1}}, 700, 0.05 * 1.26, 1); });
+  const std::string message = message_of<NumericalError>([] {
+    (void)random_addition({{0, 0, 0}, {1, 1, 1}}, 700, 0.05 * 1.26, 1);
+  });
   EXPECT_NE(message.find("of 700 spheres"), std::string::npos) << message;
   EXPECT_NE(message.find("0.38"), std::string::npos) << message;
   EXPECT_THROW((void)random_addition({{0, 0, 0}, {1, 1, 0.1}}, 1, 0.06, 1), NumericalError);

@@ -37,7 +37,8 @@ TEST(Outcomes, StepCollapseNamesTheParticleAndKeepsTheState) {
   cloud.add({-0.1, 0, 0}, {1, 0, 0});
   cloud.add({0.1, 0, 0}, {-1, 0, 0});
   SteppingSettings settings;
-  settings.tolerance_position = 1e-300;  // nobody can meet that in contact
+  settings.tolerance_position = 1e-300;  // nobody can meet that in contact, in two iterations
+  settings.iterations = 2;
   settings.smallest_step = 1e-4;
   Motion motion(model, cloud.particles, settings);
   motion.start(cloud.state);

@@ -84,8 +84,8 @@ inline double kinetic_energy(const Particles& particles, const State& state) {
   return sum;
 }
 
-/// Energy of a contact of two equal spheres without softening, p = 2: the integral of K e^2 pi R^2 (2 e - e^2)
-/// over the approach 2 R e.
+/// Energy of a contact of two equal spheres without softening, p = 2: the integral of K e^2 pi R^2 (2 e -
+/// e^2) over the approach 2 R e.
 inline double contact_energy(double stiffness, double radius, double strain) {
   return 2 * radius * stiffness * std::numbers::pi * radius * radius *
          (2 * std::pow(strain, 4) / 4 - std::pow(strain, 5) / 5);

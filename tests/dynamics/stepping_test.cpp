@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "dynamics/random_addition.hpp"
 #include "integrators/staggered/step_control.hpp"
 #include "press.hpp"
 
@@ -111,8 +112,9 @@ TEST(Adaptation, ShrinksInACollisionAndGrowsAfterIt) {
   EXPECT_GT(motion.rejected(), 0U);
   EXPECT_LT(smallest->step, 0.25 * settings.largest_step);
   EXPECT_EQ(smallest->contacts, 1) << "the smallest step is taken in the contact";
-  // The last step may be cut where the run ends.
-  EXPECT_NEAR((history.end() - 2)->step, settings.largest_step, 1e-12) << "free flight again";
+  EXPECT_TRUE(std::any_of(smallest, history.end(), [&](const auto& row) {
+    return row.step == settings.largest_step;
+  })) << "free flight again";
   EXPECT_LT(motion.state().velocity[0].x, 0);
 }
 
@@ -122,9 +124,13 @@ TEST(Motion, OrderOfParticlesDoesNotMatter) {
   model.contact.friction = 0.1;
   model.contact.friction_speed = 0.1;
   model.contact.damping = 0.2;
-  model.bond = {.stiffness = 1e6, .exponent = 2, .threshold = 0.15, .rule = BondRule::tension};
+  model.bond = {.stiffness = 1e6, .exponent = 2, .threshold = 0.03, .rule = BondRule::tension};
   model.thermal.conductivity = 1e4;
-  const Cloud cloud = random_cloud(60, 0.35, 31, 0.5);
+  Cloud cloud;
+  Random random(31);
+  for (const Vec3& centre : random_addition(model.box, 60, 0.075, 31))
+    cloud.add(centre, {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)}, 0.075,
+              random.uniform(300, 900));
   const std::size_t n = cloud.particles.size();
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), 0);
@@ -139,14 +145,14 @@ TEST(Motion, OrderOfParticlesDoesNotMatter) {
     shuffled.state.temperature[k] = cloud.state.temperature[order[k]];
   }
   const auto finish = [&](const Cloud& one) {
-    Motion motion(model, one.particles, fixed_step(2e-4, 0.5, 1e-10));
+    Motion motion(model, one.particles, fixed_step(5e-4, 0.5, 1e-13));
     motion.start(one.state);
-    const Outcome outcome = motion.advance(0.01);
+    const Outcome outcome = motion.advance(0.05);
     EXPECT_TRUE(outcome.ok()) << outcome.reason;
     return motion.state();
   };
   const State a = finish(cloud), b = finish(shuffled);
-  ASSERT_GT(a.bonds.size(), 5U);
+  ASSERT_GT(a.bonds.size(), 5U) << "they did meet";
   EXPECT_EQ(a.bonds.size(), b.bonds.size());
   for (std::size_t k = 0; k < n; ++k) {
     EXPECT_LT(norm(a.position[order[k]] - b.position[k]), 1e-10) << "rounding, amplified by some collisions";
