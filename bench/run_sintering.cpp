@@ -9,6 +9,7 @@
 #include "bench/interrupt.hpp"
 #include "bench/output_folder.hpp"
 #include "bench/progress.hpp"
+#include "bench/sintering_figure.hpp"
 #include "bench/sintering_files.hpp"
 #include "bench/spec_settings.hpp"
 #include "core/atomic_file.hpp"
@@ -147,8 +148,10 @@ int run_into(const SinteringCase& one, const RunCommand& command, double cpu_set
   result.cpu_setup = cpu_setup;
   // Whatever happened, what was reached is kept: the state and history of the last accepted step.
   write_file_atomically(folder + "/history.csv", history_csv(one, motion.history()));
+  write_file_atomically(folder + "/history.svg", history_svg(one, motion.history()));
   write_file_atomically(folder + "/final.csv", particles_csv(one, motion.state()));
-  for (const char* name : {"history.csv", "final.csv", "run.json"}) result.files.emplace_back(name);
+  for (const char* name : {"history.csv", "history.svg", "final.csv", "run.json"})
+    result.files.emplace_back(name);
   const std::string json = sintering_json(one, motion, result, command.common.threads);
   write_file_atomically(folder + "/run.json", json);
   if (!quiet) warn(result.warnings);

@@ -90,6 +90,10 @@ TEST(RunSintering, WritesTheFilesOfTheContract) {
   EXPECT_EQ(std::count(last.begin(), last.end(), '\n'), 31);
   EXPECT_TRUE(folder.has("out/snapshots/particles_0000.csv"));
   EXPECT_EQ(folder.read("out/snapshots/particles_0001.csv"), last) << "the last output is the end";
+  const std::string figure = folder.read("out/history.svg");
+  EXPECT_TRUE(figure.starts_with("<svg ") && figure.ends_with("</svg>\n"));
+  EXPECT_NE(figure.find("press, slowly"), std::string::npos) << "phases are named";
+  EXPECT_EQ(figure.find("nan"), std::string::npos);
   const auto json = nlohmann::json::parse(folder.read("out/run.json"));
   EXPECT_EQ(json["outcome"]["status"], "ok");
   EXPECT_EQ(json["motion"]["phase_ends"].size(), 1U);
