@@ -107,6 +107,7 @@ Outcome Motion::take_step(double t_out) {
       accept(phase, h, attempt, rejections);
       return check();
     }
+    // A restart begins from the same state, whose current is solved already (Algorithm 1, step 7b).
     ++rejected_;
     step_ = h * settings_.bounds.after_failure(attempt.factor);
     if (step_ < settings_.smallest_step || state_.time + step_ <= state_.time)

@@ -14,7 +14,7 @@ namespace superstep::dynamics {
 ///   T = T_L + h (phi q + (1 - phi) q_L)
 /// Iterate 0 is the Euler predictor. Each iteration takes the motion first, with the temperatures frozen,
 /// then the temperatures at the new contacts. Order 2 in time at phi = 0.5, else 1. Source: Zohdi (2014), eqs
-/// 22-27, 36, 45-49, Algorithm 1, doi:10.1177/1081286513505472.
+/// 22-27, 36, 45-49, Algorithm 1.
 class StaggeredStepper final : public Stepper {
  public:
   StaggeredStepper(const SteppingSettings& settings, MovingNetwork& network);

@@ -149,7 +149,20 @@ TEST(RunSintering, FailureKeepsWhatWasReached) {
   EXPECT_NE(std::string(json["outcome"]["reason"]).find("escapes through the upper wall"), std::string::npos);
   EXPECT_GT(json["outcome"]["t_reached"], 0.0);
   EXPECT_TRUE(folder.has("out/final.csv"));
-  EXPECT_GT(std::count_if(text.begin(), text.end(), [](char c) { return c == '\n'; }), 0);
+  const std::string history = folder.read("out/history.csv");
+  EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 2) << "steps that went well";
+}
+
+TEST(RunSintering, CurrentWithoutAPathIsAWarning) {
+  const CaseFolder folder;
+  RunCommand command = run_of(folder, "out");
+  std::string text = folder.read("press.toml");
+  text.replace(text.find("count = 30"), 10, "count = 1");  // it hangs in the air all the time
+  command.case_file = folder.write("one.toml", text);
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  const auto json = nlohmann::json::parse(folder.read("out/run.json"));
+  ASSERT_EQ(json["warnings"].size(), 1U);
+  EXPECT_NE(std::string(json["warnings"][0]).find("no particle has a path"), std::string::npos);
 }
 
 TEST(RunSintering, OptionsOfMovingParticlesAreRefusedElsewhere) {
