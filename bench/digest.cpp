@@ -17,6 +17,18 @@ void add_field(Digest& digest, const Scene& scene, std::size_t f) {
        {&graph.capacity, &graph.source, &graph.initial, &graph.fixed_value, &graph.conductance})
     digest.add_all<double>(*values);
   digest.add_all<char>(graph.is_fixed);
+  digest.add_all<std::int32_t>(graph.fixed_table);
+  for (const auto& table : graph.tables) {
+    digest.add_all<double>(table.time);
+    digest.add_all<double>(table.value);
+  }
+  for (const auto& source : graph.tabled_sources) digest.add_number(source.node).add_number(source.table);
+  for (const auto* exchanges : {&graph.convection, &graph.radiation})
+    for (const auto& exchange : *exchanges)
+      digest.add_number(exchange.node)
+          .add_number(exchange.coefficient)
+          .add_number(exchange.ambient)
+          .add_number(exchange.table);
   digest.add_all<std::int32_t>(graph.i);
   digest.add_all<std::int32_t>(graph.j);
   digest.add_all<NodeRole>(field.roles);

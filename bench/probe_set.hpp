@@ -13,10 +13,15 @@ namespace superstep {
 
 /// One probe in one field.
 struct ProbeColumn {
-  std::string name;          ///< "temperature_mid-height"
-  std::string field;         ///< "temperature"
-  std::ptrdiff_t slot = -1;  ///< position in the history; -1 = the value never changes
-  double initial = 0;        ///< value at the start [K or V], and for ever where slot is -1
+  std::string name;              ///< "temperature_mid-height"
+  std::string field;             ///< "temperature"
+  std::ptrdiff_t slot = -1;      ///< position in the history; -1 = no entry of the state
+  double initial = 0;            ///< value at the start [K or V]
+  const Graph* graph = nullptr;  ///< where a fixed value is found
+  std::size_t node = 0;
+
+  /// Value of a node that is not an entry of the state.
+  [[nodiscard]] double known_at(double t) const noexcept;
 };
 
 class ProbeSet {

@@ -41,7 +41,7 @@ void Progress::begin(std::string label, double goal) {
   label_ = std::move(label);
   goal_ = goal;
   began_ = wall_seconds();
-  position_ = reached_at_ = 0;
+  position_ = reached_at_ = watched_ = 0;
   shown_ = true;
   ticker_ = std::jthread([this](std::stop_token stop) { tick(std::move(stop)); });
 }
@@ -66,7 +66,11 @@ void Progress::end() {
 
 void Progress::tick(std::stop_token stop) {
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, stop, interval, [&] { return stop.stop_requested(); })) draw();
+  while (!wake_.wait_for(lock, stop, interval, [&] { return stop.stop_requested(); })) {
+    const double seen = watched_.load(std::memory_order_relaxed);
+    if (seen > position_.load(std::memory_order_relaxed)) reached(seen);
+    draw();
+  }
 }
 
 void Progress::draw() const {

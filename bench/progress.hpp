@@ -24,6 +24,9 @@ class Progress {
   void begin_timed(const std::string& label);
   /// How far the work has come. May be called from the working thread at any time.
   void reached(double position) noexcept;
+  /// A place that the work may write its position to as well, at no cost; looked at when the line is redrawn.
+  /// Null when nobody would look.
+  [[nodiscard]] std::atomic<double>* watched() noexcept { return enabled_ ? &watched_ : nullptr; }
   /// Takes the line away.
   void end();
 
@@ -34,7 +37,7 @@ class Progress {
   bool enabled_, shown_ = false;
   std::string label_;
   double goal_ = 1, began_ = 0;
-  std::atomic<double> position_{0}, reached_at_{0};
+  std::atomic<double> position_{0}, reached_at_{0}, watched_{0};
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::jthread ticker_;

@@ -39,7 +39,7 @@ std::vector<std::size_t> field_order(const Scene& scene) {
 }
 
 double value_at(const ProbeColumn& column, const ProbeHistory& history, double t) {
-  return column.slot < 0 ? column.initial : history.at(t, static_cast<std::size_t>(column.slot));
+  return column.slot < 0 ? column.known_at(t) : history.at(t, static_cast<std::size_t>(column.slot));
 }
 
 void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& history, double t) {
@@ -48,15 +48,22 @@ void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& hist
   append(out, "\n");
 }
 
+/// Resistance, current and heat of a scene whose potential is steady: they cost one solve more.
+std::optional<ElectrodeFacts> steady_facts(const Scene& scene) {
+  for (const auto& field : scene.fields)
+    if (field.steady) return electrode_facts(field);
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::string final_csv(const Scene& scene, std::span<const double> state) {
+std::string final_csv(const Scene& scene, double t, std::span<const double> state) {
   Buffer out;
   append(out, "id{}", scene.packed ? ",x,y,z,r" : "");
   std::vector<std::vector<double>> values;
   for (const std::size_t f : field_order(scene)) {
     append(out, ",{}", scene.fields[f].name);
-    values.push_back(scene.values_on_nodes(f, state));
+    values.push_back(scene.values_on_nodes(f, t, state));
   }
   append(out, "\n");
   const auto& ids = scene.fields.front().graph.id;
@@ -109,6 +116,9 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .jacobians = run.jacobians,
           .factorizations = run.statistics.factorizations,
           .solves = run.statistics.solves,
+          .potential_solves = run.potential_solves,
+          .settled_at = run.settled_at,
+          .electrodes = steady_facts(scene),
           .max_stages = run.statistics.max_stages,
           .cpu_prepare = run.cpu_prepare,
           .cpu_stepping = run.cpu_stepping,
@@ -130,7 +140,7 @@ std::string write_run_files(const std::string& folder, const Scene& scene, const
     record.files.push_back(name);
   };
   const bool ok = run.outcome.ok();
-  write_or_remove("final.csv", ok, [&] { return final_csv(scene, final_state); });
+  write_or_remove("final.csv", ok, [&] { return final_csv(scene, run.t_reached, final_state); });
   write_or_remove("probes.csv", ok && !probes.columns().empty(),
                   [&] { return probes_csv(probes, run.history, scene.t_end); });
   record.files.emplace_back("run.json");

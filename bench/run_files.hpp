@@ -13,7 +13,7 @@ namespace superstep {
 
 /// final.csv: every node in the user's order: id, then x,y,z,r [m] when there is a packing, then one column
 /// per field.
-[[nodiscard]] std::string final_csv(const Scene& scene, std::span<const double> state);
+[[nodiscard]] std::string final_csv(const Scene& scene, double t, std::span<const double> state);
 
 /// probes.csv: time [s] and one column per probe and field, at the method's own step ends, from the initial
 /// state to t_end.

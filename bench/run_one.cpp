@@ -36,6 +36,7 @@ Plan plan_of(const Scene& scene, const RunRequest& request, RunResult& result) {
   }
   plan.track_inflow = request.track_inflow;
   plan.stop = request.stop;
+  if (request.progress) plan.reached = request.progress->watched();
   if (request.probes && !request.probes->entries().empty()) {
     plan.probes = request.probes->entries();
     result.history = request.probes->history();
@@ -58,8 +59,17 @@ Outcome advance_over_outputs(const Scene& scene, Integrator& method, const RunRe
   return {};
 }
 
+/// A steady field alone was solved for when the scene was built.
+Outcome nothing_to_integrate(const Scene& scene, const RunRequest& request, RunResult& result) {
+  for (std::size_t k = 0; k < scene.output_times.size() && request.observe; ++k)
+    request.observe(k, scene.output_times[k], {});
+  result.choice = "nothing to integrate: the field is steady and was solved for";
+  return {};
+}
+
 Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& request, RunResult& result) {
   try {
+    if (scene.rhs->size() == 0) return nothing_to_integrate(scene, request, result);
     const Plan plan = plan_of(scene, request, result);
     {
       const Timer timer(result.cpu_prepare, result.wall_prepare);
@@ -90,8 +100,10 @@ RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest&
   result.sweeps = after.sweeps - before.sweeps;
   result.jacobians = after.jacobians - before.jacobians;
   result.statistics = method->statistics();
-  result.t_reached = method->time();
-  result.choice = method->choice();
+  result.t_reached = scene.rhs->size() == 0 ? scene.t_end : method->time();
+  if (scene.rhs->size() > 0) result.choice = method->choice();
+  result.potential_solves = after.potential_solves - before.potential_solves;
+  result.settled_at = scene.rhs->settled_at();
   return result;
 }
 

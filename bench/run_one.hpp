@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,6 +29,8 @@ struct RunResult {
   Outcome outcome;
   Statistics statistics;
   std::uint64_t sweeps = 0, jacobians = 0;  ///< of the right-hand side, preparation included
+  std::uint64_t potential_solves = 0;       ///< steady potentials solved for while integrating
+  std::optional<double> settled_at;         ///< s, when the potential stopped being stepped
   double cpu_prepare = 0, wall_prepare = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
   std::string choice;    ///< what the method chose by itself and why; may be empty
   double t_reached = 0;  ///< s

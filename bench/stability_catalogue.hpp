@@ -15,6 +15,7 @@ struct MethodCase {
   int stages = 1;
   std::optional<double> beta;  ///< declared end of stability in z; none = stable everywhere
   double z_stiff = 0;          ///< step * lambda_max at which it is looked at
+  double rounding = 0;         ///< that a step of a perturbation of size one may gather
   Response response;
   std::function<std::string(double step)> spec;  ///< SPEC that takes one step of that length [s]
 };

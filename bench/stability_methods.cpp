@@ -73,7 +73,7 @@ MethodStability examine_method(PerturbationRhs& rhs, const StiffestMode& mode, c
   out.stiff = method.response(out.z_stiff);
   // What the shape lacks of being the mode enters squared; the rest is rounding.
   const double impurity = out.z_stiff * mode.residual / mode.rate;
-  out.tolerance = 1e-9 + impurity * impurity;
+  out.tolerance = 1e-9 + impurity * impurity + method.rounding;
 
   compare_responses(rhs, mode, method, out);
   constexpr int few_steps = 8;

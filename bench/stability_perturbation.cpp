@@ -19,7 +19,7 @@ PerturbationRhs::PerturbationRhs(Rhs& scene)
   pattern_version_ = scene.pattern_version();
 }
 
-double PerturbationRhs::spectral_bound(double t, std::span<const double> y) const {
+double PerturbationRhs::spectral_bound(double t, std::span<const double> y) {
   return scene_.spectral_bound(t, y);
 }
 
@@ -27,7 +27,7 @@ double PerturbationRhs::pair_step_without_interface() const {
   return scene_.pair_step_without_interface();
 }
 
-double PerturbationRhs::inflow(double /*t*/, std::span<const double> y) const {
+double PerturbationRhs::inflow(double /*t*/, std::span<const double> y) {
   return scene_.linear_inflow(y);
 }
 
@@ -43,11 +43,15 @@ void PerturbationRhs::do_linear_stage(const Stage& stage, std::span<double> out)
   scene_.linear_stage(stage, out);
 }
 
+void PerturbationRhs::do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) {
+  scene_.block_product(field, v, out);
+}
+
 void PerturbationRhs::do_jacobian(double t, std::span<const double> y, std::span<double> values) {
   scene_.jacobian(t, y, values);
 }
 
-SparsePattern PerturbationRhs::build_pattern() const {
+SparsePattern PerturbationRhs::build_pattern() {
   return scene_.pattern();
 }
 

@@ -17,18 +17,20 @@ class PerturbationRhs final : public Rhs {
  public:
   explicit PerturbationRhs(Rhs& scene);
 
-  [[nodiscard]] double spectral_bound(double t, std::span<const double> y) const override;
+  [[nodiscard]] double spectral_bound(double t, std::span<const double> y) override;
   [[nodiscard]] double pair_step_without_interface() const override;
   [[nodiscard]] std::span<const double> capacities() const noexcept override { return scene_.capacities(); }
-  [[nodiscard]] double inflow(double t, std::span<const double> y) const override;
+  [[nodiscard]] double inflow(double t, std::span<const double> y) override;
   [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
-  [[nodiscard]] double source_rate() const override { return 0; }
+  [[nodiscard]] double source_rate(std::size_t /*field*/) const override { return 0; }
+  [[nodiscard]] double mean_source_rate(std::size_t /*field*/) override { return 0; }
 
  private:
   void do_stage(double t, const Stage& stage, std::span<double> out) override;
   void do_linear_stage(const Stage& stage, std::span<double> out) override;
+  void do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) override;
   void do_jacobian(double t, std::span<const double> y, std::span<double> values) override;
-  [[nodiscard]] SparsePattern build_pattern() const override;
+  [[nodiscard]] SparsePattern build_pattern() override;
 
   Rhs& scene_;
 };

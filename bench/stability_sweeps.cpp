@@ -61,6 +61,7 @@ std::vector<Contender> contenders(const SweepPoint& point, double lambda_max) {
   add(rkl1_family(), "rkl:order=1,");
   add(rkl2_family(), "rkl:");
   add(rkg2_family(), "rkg:");
+  add(rock4_family(), "rock:");
   for (const double phi : {0.5, 0.6, 1.0})
     out.push_back({fmt::format("trapezoidal_{:g}", phi),
                    fmt::format("trapezoidal:phi={},step={:.17g}", phi, superstep), superstep});

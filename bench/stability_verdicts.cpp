@@ -180,7 +180,7 @@ std::vector<Verdict> judge_methods(const StabilityResults& results) {
   if (results.methods.empty()) return verdicts;
   for (const char* order : {"recurrence", "leja", "natural"})
     verdicts.push_back(judge_superstep(results, order));
-  for (const char* family : {"rkc1", "rkc2", "rkl1", "rkl2", "rkg2"})
+  for (const char* family : {"rkc1", "rkc2", "rkl1", "rkl2", "rkg2", "rock4"})
     verdicts.push_back(judge_stabilised(results, family));
   for (const char* phi : {"0.5", "0.6", "1"}) verdicts.push_back(judge_trapezoidal(results, phi));
   return verdicts;

@@ -5,6 +5,7 @@
 
 #include "bench/metrics.hpp"
 #include "bench/run_one.hpp"
+#include "bench/scene_facts.hpp"
 
 namespace superstep {
 namespace {
@@ -36,8 +37,8 @@ class OutputErrors {
 
   void observe(std::size_t output, double t, std::span<const double> state) {
     const auto fields = scene_.rhs->fields();
-    const double widened = scene_.rhs->source_rate() * t;
     for (std::size_t f = 0; f < fields.size(); ++f) {
+      const double widened = scene_.rhs->source_rate(f) * t;
       const FieldScene& described = scene_field(scene_, fields[f].name);
       keep_larger(errors_[f].overshoot,
                   overshoot(fields[f], state, described.low - widened, described.high + widened));
@@ -58,14 +59,16 @@ class OutputErrors {
   std::vector<double> last_;
 };
 
-// `Statistics::inflow` is one number: it is the balance of a field only where there is one field.
-Number balance_of(const Scene& scene, std::span<const double> last, double entered, double span) {
-  const auto fields = scene.rhs->fields();
-  if (fields.size() != 1) return std::nullopt;
+// `Statistics::inflow` belongs to the main field: with two fields, what enters the temperature.
+Number balance_of(const Scene& scene, std::size_t f, std::span<const double> last, double entered,
+                  double span) {
+  if (f != main_field(*scene.rhs)) return std::nullopt;
+  const FieldView& field = scene.rhs->fields()[f];
   const auto capacities = scene.rhs->capacities();
   double scale = 0;
-  for (const double capacity : capacities) scale += capacity * span;
-  return balance(entered, stored(fields[0], capacities, scene.initial, last), scale);
+  for (std::size_t k = 0, i = field.offset; k < field.count; ++k, i += field.stride)
+    scale += capacities[i] * span;
+  return balance(entered, stored(field, capacities, scene.initial, last), scale);
 }
 
 }  // namespace
@@ -114,7 +117,7 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const std::strin
   for (std::size_t f = 0; f < fields.size(); ++f) {
     FieldErrors& errors = result.errors[f];
     const double span = range_of(scene, fields[f], reference).span();
-    errors.balance = balance_of(scene, outputs.last(), run.statistics.inflow, span);
+    errors.balance = balance_of(scene, f, outputs.last(), run.statistics.inflow, span);
     if (!reference) continue;
     if (span > 0) errors.relative_rms = *errors.rms / span;
     if (!reference->error_bar.empty()) errors.reference_error = reference->error_bar[f];

@@ -12,6 +12,7 @@
 #include "bench/scene_facts.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
+#include "rhs/one_way.hpp"
 
 namespace superstep {
 namespace {
@@ -25,9 +26,7 @@ std::string family_of(const Spec& spec) {
 }
 
 std::string default_reference(const Scene& scene) {
-  const auto& traits = scene.rhs->traits();
-  return traits.linear && traits.symmetric && traits.autonomous ? "exponential:rtol=1e-15"
-                                                                : "cvode:rtol=1e-10";
+  return exactly_solvable(*scene.rhs) ? "exponential:rtol=1e-15" : "cvode:rtol=1e-10";
 }
 
 class Sweep {

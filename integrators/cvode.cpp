@@ -125,6 +125,7 @@ void CvodeBdf::create_solver(double t) {
 }
 
 void CvodeBdf::start(double t, std::span<const double> y) {
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), sundials::entries(y_.get()).begin());
   std::copy(y.begin(), y.end(), state_.begin());
   error_weights_.restart();
@@ -174,7 +175,7 @@ Outcome CvodeBdf::failure(int flag) const {
 
 Outcome CvodeBdf::advance(double t_out) {
   while (t_internal_ < t_out) {
-    if (guard_.stop_requested()) return interrupted_at(t_internal_);
+    if (guard_.stop_requested(t_internal_)) return interrupted_at(t_internal_);
     const int flag = CVode(cvode_.get(), t_out, y_.get(), &t_internal_, CV_ONE_STEP);
     if (flag < 0) {
       collect_counts();

@@ -4,7 +4,9 @@
 
 #include "integrators/detail/chebyshev_propagator.hpp"
 #include "integrators/detail/lanczos_propagator.hpp"
+#include "integrators/detail/one_way_exponential.hpp"
 #include "integrators/registry.hpp"
+#include "rhs/one_way.hpp"
 
 namespace superstep {
 namespace {
@@ -24,18 +26,51 @@ std::vector<OptionKey> exponential_keys() {
   };
 }
 
-std::unique_ptr<Integrator> make_exponential(const Options& options) {
-  const double rtol = options.number("rtol").value_or(1e-8);
-  if (options.word("basis", "chebyshev") == "lanczos") return std::make_unique<LanczosPropagator>(rtol);
-  return std::make_unique<ChebyshevPropagator>(rtol);
-}
+/// Takes the propagator that the scene asks for.
+class Exponential final : public Integrator {
+ public:
+  explicit Exponential(const Options& options)
+      : rtol_(options.number("rtol").value_or(1e-8)), basis_(options.word("basis", "chebyshev")) {}
+
+  void prepare(Rhs& rhs, const Plan& plan) override {
+    if (!exactly_solvable(rhs))
+      throw Refused(
+          "the exponential needs constant conductances, sources and fixed values and no radiation; a "
+          "potential "
+          "may drive the temperature, but not the other way round");
+    const bool coupled = !rhs.traits().linear;
+    if (coupled && basis_ == "lanczos")
+      throw Refused("basis=lanczos is for one field; leave it out where a potential drives the temperature");
+    if (coupled)
+      method_ = std::make_unique<OneWayExponential>(rtol_);
+    else if (basis_ == "lanczos")
+      method_ = std::make_unique<LanczosPropagator>(rtol_);
+    else
+      method_ = std::make_unique<ChebyshevPropagator>(rtol_);
+    method_->prepare(rhs, plan);
+  }
+  void start(double t, std::span<const double> y) override { method_->start(t, y); }
+  Outcome advance(double t_out) override { return method_->advance(t_out); }
+  [[nodiscard]] double time() const noexcept override { return method_ ? method_->time() : 0; }
+  [[nodiscard]] std::span<const double> state() const noexcept override { return method_->state(); }
+  [[nodiscard]] const Statistics& statistics() const noexcept override {
+    static const Statistics nothing;
+    return method_ ? method_->statistics() : nothing;
+  }
+
+ private:
+  double rtol_;
+  std::string basis_;
+  std::unique_ptr<Integrator> method_;
+};
 
 }  // namespace
 
 IntegratorEntry exponential_entry() {
   return {
       .name = "exponential",
-      .summary = "matrix exponential by Chebyshev or Lanczos; exact for linear constant networks",
+      .summary =
+          "matrix exponential by Chebyshev or Lanczos; exact where coefficients and inputs are constant",
       .source =
           "Tal-Ezer (1986), doi:10.1137/0723001; Hochbruck & Lubich (1997), doi:10.1137/S0036142995280572",
       .order = 0,
@@ -44,7 +79,7 @@ IntegratorEntry exponential_entry() {
       .examples = {"exponential:rtol=1e-13", "exponential:basis=lanczos,rtol=1e-9"},
       .ladder =
           joined({rtol_ladder("exponential", 1, 12), rtol_ladder("exponential:basis=lanczos", 2, 10, 2)}),
-      .make = make_exponential};
+      .make = [](const Options& options) { return std::make_unique<Exponential>(options); }};
 }
 
 }  // namespace superstep

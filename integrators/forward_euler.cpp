@@ -25,20 +25,25 @@ class ForwardEuler final : public Integrator {
 
   void start(double t, std::span<const double> y) override {
     t_ = t;
+    rhs_->restart(t);
     state_.assign(y.begin(), y.end());
     step_ = critical_step_.resolve(*rhs_, t, state_);
     statistics_ = {.max_stages = 1, .time_per_sweep = step_};
   }
 
   Outcome advance(double t_out) override {
-    const double t_in = t_;
-    const auto steps = steps_to_cover(t_out - t_in, step_);
+    double t_in = t_;
+    auto steps = steps_to_cover(t_out - t_in, step_);
     for (std::uint64_t k = 1; k <= steps; ++k) {
-      const double t_next = k == steps ? t_out : t_in + static_cast<double>(k) * step_;
-      take_step(t_next);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      take_step(k == steps ? t_out : t_in + static_cast<double>(k) * step_);
+      if (guard_.stop_requested(t_)) return interrupted_at(t_);
       if (k % RunGuard::stride != 0) continue;
       if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
+      if (!critical_step_.may_have_changed(*rhs_, t_, state_)) continue;
+      step_ = critical_step_.resolve(*rhs_, t_, state_);
+      t_in = t_;
+      steps = steps_to_cover(t_out - t_in, step_);
+      k = 0;
     }
     return guard_.check(t_, state_);
   }

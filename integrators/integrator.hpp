@@ -52,6 +52,7 @@ struct Plan {
   bool track_inflow = false;                ///< integrate `Rhs::inflow` with the method's own quadrature
   ProbeHistory* history = nullptr;          ///< where step ends are recorded; may be null
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: stop at the next step end
+  std::atomic<double>* reached = nullptr;   ///< gains the time at step ends, for one who watches; may be null
 };
 
 /// Work and facts of one run since `start`.

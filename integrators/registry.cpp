@@ -4,8 +4,8 @@
 #include "core/suggest.hpp"
 
 // One line per method: its file in this folder defines `IntegratorEntry <name>_entry()`.
-#define SUPERSTEP_INTEGRATORS(method)                                                       \
-  method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(trapezoidal) \
+#define SUPERSTEP_INTEGRATORS(method)                                                                    \
+  method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(rock) method(trapezoidal) \
       method(exponential) method(cvode) method(automatic)
 
 namespace superstep {

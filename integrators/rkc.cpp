@@ -11,7 +11,7 @@ IntegratorEntry rkc_entry() {
           .source = "Sommeijer, Shampine & Verwer (1998), doi:10.1016/S0377-0427(97)00219-7",
           .order = 2,
           .adaptive = true,
-          .keys = stabilised_keys(true),
+          .keys = stabilised_keys(rkc2_family(), true),
           .examples = {"rkc:rtol=1e-6", "rkc:order=1,rtol=1e-3", "rkc:step=15"},
           .ladder = joined({rtol_ladder("rkc", 1, 8), rtol_ladder("rkc:order=1", 1, 4)}),
           .make = [](const Options& options) -> std::unique_ptr<Integrator> {

@@ -11,7 +11,7 @@ IntegratorEntry rkg_entry() {
           .source = "Skaras, Saxton, Meyer & Aslam (2021), doi:10.1016/j.jcp.2020.109879",
           .order = 2,
           .adaptive = true,
-          .keys = stabilised_keys(false),
+          .keys = stabilised_keys(rkg2_family(), false),
           .examples = {"rkg:rtol=1e-6", "rkg:step=15"},
           .ladder = rtol_ladder("rkg", 1, 8),
           .make = [](const Options& options) -> std::unique_ptr<Integrator> {

@@ -11,7 +11,7 @@ IntegratorEntry rkl_entry() {
           .source = "Meyer, Balsara & Aslam (2014), doi:10.1016/j.jcp.2013.08.021",
           .order = 2,
           .adaptive = true,
-          .keys = stabilised_keys(true),
+          .keys = stabilised_keys(rkl2_family(), true),
           .examples = {"rkl:rtol=1e-6", "rkl:order=1,rtol=1e-3", "rkl:step=15"},
           .ladder = joined({rtol_ladder("rkl", 1, 8), rtol_ladder("rkl:order=1", 1, 4)}),
           .make = [](const Options& options) -> std::unique_ptr<Integrator> {

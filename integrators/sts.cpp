@@ -3,7 +3,7 @@
 ///
 /// `order` says how the substeps are carried out: `recurrence` as the equivalent first-order RKC recurrence
 /// and `leja` as reordered Euler steps keep rounding small; `natural` is the published order and loses all
-/// digits for large n.
+/// digits for large n. Thermoelectric scenes are staggered: see step_halves.
 
 #include <fmt/format.h>
 
@@ -15,8 +15,9 @@
 #include "integrators/detail/critical_step.hpp"
 #include "integrators/detail/run_guard.hpp"
 #include "integrators/detail/super_step.hpp"
-#include "integrators/detail/three_term.hpp"
+#include "integrators/detail/superstep_engine.hpp"
 #include "integrators/registry.hpp"
+#include "rhs/one_way.hpp"
 
 namespace superstep {
 namespace {
@@ -67,7 +68,6 @@ class SuperTimeStepping final : public Integrator {
     guard_.prepare(rhs, plan);
     recorder_.prepare(plan);
     state_.resize(rhs.size());
-    engine_.resize(rhs.size());
     if (automatic_) {
       const double critical_step = critical_step_.resolve(rhs, plan.t_begin, state_);
       const double first_output = plan.output_times.front() - plan.t_begin;
@@ -75,39 +75,51 @@ class SuperTimeStepping final : public Integrator {
       n_ = chosen.n;
       nu_ = chosen.nu;
     }
-    // Leja substeps cost exactly a forward Euler step each; the recurrence is for numbers beyond practice.
-    if (order_.empty()) order_ = n_ <= most_leja_substeps ? "leja" : "recurrence";
-    if (order_ == "recurrence") {
-      first_order_chebyshev(n_, 2 * nu_ / (1 - nu_), scheme_);
-    } else {
-      substeps_ = superstep_substeps(n_, nu_);
-      if (order_ == "leja") substeps_ = leja_ordered(std::move(substeps_));
-    }
+    halves_ = rhs.one_way();
+    plan_ = SuperstepPlan::make(n_, nu_, order_.empty() ? default_order() : order_);
+    if (!halves_) return whole_.prepare(rhs);
+    driver_.prepare(halves_->driver());
+    driven_.prepare(halves_->driven());
+    rate_.resize(halves_->driven().size());
   }
 
   void start(double t, std::span<const double> y) override {
     t_ = t;
+    rhs_->restart(t);
     state_.assign(y.begin(), y.end());
-    superstep_ = critical_step_.resolve(*rhs_, t, state_) * superstep_length(n_, nu_);
+    if (halves_) {
+      driver_.start(y.first(halves_->driver().size()));
+      driven_.start(y.subspan(halves_->driver().size()));
+    } else {
+      whole_.start(y);
+    }
+    superstep_ = critical_step_.resolve(*rhs_, t, state()) * superstep_length(n_, nu_);
     statistics_ = {.max_stages = n_, .time_per_sweep = superstep_ / n_};
   }
 
   Outcome advance(double t_out) override {
-    const double t_in = t_;
-    const auto steps = steps_to_cover(t_out - t_in, superstep_);
+    double t_in = t_;
+    auto steps = steps_to_cover(t_out - t_in, superstep_);
     const std::uint64_t supersteps_per_check = 1 + RunGuard::stride / static_cast<unsigned>(n_);
     for (std::uint64_t k = 1; k <= steps; ++k) {
       // The last superstep before an output time keeps n and scales all substeps.
       take_superstep(k == steps ? t_out : t_in + static_cast<double>(k) * superstep_);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (guard_.stop_requested(t_)) return interrupted_at(t_);
       if (k % supersteps_per_check != 0) continue;
-      if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
+      if (Outcome outcome = guard_.check(t_, state()); !outcome.ok()) return outcome;
+      if (!critical_step_.may_have_changed(*rhs_, t_, state())) continue;
+      superstep_ = critical_step_.resolve(*rhs_, t_, state()) * superstep_length(n_, nu_);
+      t_in = t_;
+      steps = steps_to_cover(t_out - t_in, superstep_);
+      k = 0;
     }
-    return guard_.check(t_, state_);
+    return guard_.check(t_, state());
   }
 
   [[nodiscard]] double time() const noexcept override { return t_; }
-  [[nodiscard]] std::span<const double> state() const noexcept override { return state_; }
+  [[nodiscard]] std::span<const double> state() const noexcept override {
+    return halves_ ? std::span<const double>(state_) : whole_.state();
+  }
   [[nodiscard]] const Statistics& statistics() const noexcept override { return statistics_; }
   [[nodiscard]] std::string choice() const override {
     if (!automatic_) return {};
@@ -117,28 +129,39 @@ class SuperTimeStepping final : public Integrator {
   }
 
  private:
+  /// Leja substeps cost exactly a forward Euler step each; the recurrence is for numbers beyond practice, and
+  /// for two fields that act on each other within a superstep: its stages mean something.
+  [[nodiscard]] std::string default_order() const {
+    const bool coupled = rhs_->fields().size() > 1 && !halves_ && !rhs_->traits().linear;
+    return n_ <= most_leja_substeps && !coupled ? "leja" : "recurrence";
+  }
+
   void take_superstep(double t_next) {
     const double h = t_next - t_;
-    if (order_ == "recurrence") {
-      engine_.step(*rhs_, scheme_, t_, h, state_, {}, track_inflow_ ? &statistics_.inflow : nullptr);
-      std::swap(state_, engine_.result());
+    double* inflow = track_inflow_ ? &statistics_.inflow : nullptr;
+    if (halves_) {
+      step_halves(h, inflow);
     } else {
-      euler_substeps(h / superstep_length(n_, nu_));
+      whole_.step(plan_, t_, h, inflow);
     }
     t_ = t_next;
     ++statistics_.steps;
-    recorder_.record(t_, state_);
+    recorder_.record(t_, state());
   }
 
-  void euler_substeps(double critical_step) {
-    double t = t_;
-    for (const double substep : substeps_) {
-      const double tau = substep * critical_step;
-      if (track_inflow_) statistics_.inflow += tau * rhs_->inflow(t, state_);
-      rhs_->stage(t, {.y1 = state_.data(), .a = 1, .d = tau}, engine_.result());
-      std::swap(state_, engine_.result());
-      t += tau;
+  /// Staggered, one common superstep: first the potential, then the temperature with the heat of the
+  /// potentials at the superstep's end. Source: Rojek & Nisar 2026, section 7.
+  void step_halves(double h, double* inflow) {
+    if (rhs_->steps(0)) {
+      driver_.step(plan_, t_, h, nullptr);
+      halves_->rate(t_ + h, driver_.state(), rate_);
     }
+    halves_->drive(rate_);
+    driven_.step(plan_, t_, h, inflow);
+    halves_->drive({});
+    std::copy(driver_.state().begin(), driver_.state().end(), state_.begin());
+    std::copy(driven_.state().begin(), driven_.state().end(),
+              state_.begin() + static_cast<std::ptrdiff_t>(driver_.state().size()));
   }
 
   CriticalStep critical_step_;
@@ -150,9 +173,10 @@ class SuperTimeStepping final : public Integrator {
   Rhs* rhs_ = nullptr;
   RunGuard guard_;
   ProbeRecorder recorder_;
-  ThreeTermScheme scheme_;
-  ThreeTermEngine engine_;
-  std::vector<double> substeps_, state_;
+  SuperstepPlan plan_;
+  OneWayCoupling* halves_ = nullptr;  ///< null: the state is stepped as a whole
+  SuperstepEngine whole_, driver_, driven_;
+  std::vector<double> state_, rate_;
   double t_ = 0, superstep_ = 0;
   bool track_inflow_ = false;
   Statistics statistics_;

@@ -29,6 +29,7 @@ std::vector<Figure> published_figures(const NetworkHealth& health) {
                      health.packing ? health.packing->relative_density : std::nullopt});
   figures.push_back({"effective_conductivity", "effective conductivity",
                      field.name == "temperature" ? "W/(m K)" : "S/m", field.effective_conductivity});
+  if (field.steady) return figures;
   figures.push_back({"lambda_max", "lambda_max", "1/s", field.lambda_max});
   figures.push_back({"lambda_min", "lambda_min", "1/s", field.lambda_min});
   figures.push_back({"pair_step", "min pair step without interface", "s", field.pair_step_bare});
@@ -82,6 +83,13 @@ void write_network(Text& text, const FieldHealth& field) {
              field.effective_note.empty() ? "" : " (" + field.effective_note + ")");
   else
     text.row("effective conductivity", "none: {}", field.effective_note);
+  if (!field.electrodes) return;
+  const auto& electrodes = *field.electrodes;
+  text.row("electrodes", "{:.4g} V, {:.6g} A in, {:.6g} A out", electrodes.voltage, electrodes.current_in,
+           electrodes.current_out);
+  text.row("resistance", "{:.6g} Ohm", electrodes.resistance);
+  text.row("Joule heat of the steady current", "{:.6g} W (V I = {:.6g} W)", electrodes.joule_heat,
+           electrodes.voltage * electrodes.current_in);
 }
 
 void write_spectrum(Text& text, const FieldHealth& field) {
@@ -134,8 +142,28 @@ nlohmann::json optional_number(const std::optional<double>& value) {
   return value ? finite_or_null(*value) : nlohmann::json(nullptr);
 }
 
+nlohmann::json electrodes_json(const ElectrodeFacts& facts) {
+  return {{"voltage_v", facts.voltage},
+          {"current_in_a", facts.current_in},
+          {"current_out_a", facts.current_out},
+          {"resistance_ohm", finite_or_null(facts.resistance)},
+          {"joule_heat_w", facts.joule_heat}};
+}
+
+nlohmann::json stiffness_json(const FieldHealth& field) {
+  return {{"lambda_max", field.lambda_max},
+          {"lambda_max_residual", field.lambda_max_residual},
+          {"lambda_min", optional_number(field.lambda_min)},
+          {"critical_step", finite_or_null(field.critical_step())},
+          {"edge_bound", field.edge_bound},
+          {"gershgorin_bound", field.gershgorin},
+          {"certified_step", finite_or_null(field.certified_step())},
+          {"pair_step_without_interface", finite_or_null(field.pair_step_bare)},
+          {"pair_step_with_interface", finite_or_null(field.pair_step_full)}};
+}
+
 nlohmann::json field_json(const FieldHealth& field) {
-  return {
+  nlohmann::json json = {
       {"field", field.name},
       {"unit", field.unit},
       {"nodes", field.nodes},
@@ -151,16 +179,10 @@ nlohmann::json field_json(const FieldHealth& field) {
        {{"mean", field.coordination_mean}, {"min", field.coordination_min}, {"max", field.coordination_max}}},
       {"conductance", {{"min", field.conductance_min}, {"max", field.conductance_max}}},
       {"lumping_median", optional_number(field.lumping_median)},
-      {"lambda_max", field.lambda_max},
-      {"lambda_max_residual", field.lambda_max_residual},
-      {"lambda_min", optional_number(field.lambda_min)},
-      {"critical_step", finite_or_null(field.critical_step())},
-      {"edge_bound", field.edge_bound},
-      {"gershgorin_bound", field.gershgorin},
-      {"certified_step", finite_or_null(field.certified_step())},
-      {"pair_step_without_interface", finite_or_null(field.pair_step_bare)},
-      {"pair_step_with_interface", finite_or_null(field.pair_step_full)},
-      {"effective_conductivity", optional_number(field.effective_conductivity)}};
+      {"effective_conductivity", optional_number(field.effective_conductivity)},
+      {"electrodes", field.electrodes ? electrodes_json(*field.electrodes) : nlohmann::json(nullptr)}};
+  if (!field.steady) json.update(stiffness_json(field));
+  return json;
 }
 
 }  // namespace
@@ -174,7 +196,7 @@ std::string health_text(const Scene& scene, const NetworkHealth& health) {
   if (health.packing) write_packing(text, scene, *health.packing);
   for (const auto& field : health.fields) {
     write_network(text, field);
-    write_spectrum(text, field);
+    if (!field.steady) write_spectrum(text, field);
   }
   write_published(text, scene, health);
   if (!scene.skips.empty()) text.heading("Skipped");

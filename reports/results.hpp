@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/effective.hpp"
+
 namespace superstep {
 
 /// A measured number; empty = not measured or not applicable.
@@ -94,6 +96,9 @@ struct RunRecord {
   double t_end = 0, t_reached = 0;  ///< s
   std::size_t nodes = 0, contacts = 0, unknowns = 0;
   std::uint64_t steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorizations = 0, solves = 0;
+  std::uint64_t potential_solves = 0;  ///< steady potentials solved for while integrating
+  std::optional<double> settled_at;    ///< s, when the potential became steady and was no longer stepped
+  std::optional<ElectrodeFacts> electrodes;
   int max_stages = 0, threads = 1;
   double cpu_setup = 0, cpu_prepare = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
   double peak_memory_mb = 0;                                                   ///< 1e6 bytes

@@ -1,5 +1,6 @@
 #include "reports/results_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "reports/columns.hpp"
@@ -80,6 +81,15 @@ std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Json electrodes_json(const std::optional<ElectrodeFacts>& facts) {
+  if (!facts) return nullptr;
+  return {{"voltage_v", facts->voltage},
+          {"current_in_a", facts->current_in},
+          {"current_out_a", facts->current_out},
+          {"resistance_ohm", std::isfinite(facts->resistance) ? Json(facts->resistance) : Json(nullptr)},
+          {"joule_heat_w", facts->joule_heat}};
+}
+
 }  // namespace
 
 std::string results_json(const BenchReport& report) {
@@ -123,7 +133,10 @@ std::string run_json(const RunRecord& record) {
         {"factorizations", record.factorizations},
         {"solves", record.solves},
         {"max_stages", record.max_stages},
+        {"potential_solves", record.potential_solves},
         {"skips", record.skips.size()}}},
+      {"potential_settled_at_s", record.settled_at ? Json(*record.settled_at) : Json(nullptr)},
+      {"electrodes", electrodes_json(record.electrodes)},
       {"cpu_setup_s", record.cpu_setup},
       {"cpu_prepare_s", record.cpu_prepare},
       {"cpu_stepping_s", record.cpu_stepping},

@@ -47,7 +47,7 @@ void ChebyshevPropagator::add_pair(std::span<Output> outputs, std::size_t k, std
 
 Outcome ChebyshevPropagator::propagate(std::span<Output> outputs) {
   std::size_t terms = 0;
-  const bool driven = rhs().source_rate() > 0;
+  const bool driven = rhs().source_rate(0) > 0;
   for (std::size_t m = 0; m < outputs.size(); ++m) {
     coefficients_[m] = exponential_coefficients(outputs[m].elapsed * radius() / 2, rtol_, driven);
     if (plan().track_inflow) integrals_[m] = integrated_coefficients(coefficients_[m]);

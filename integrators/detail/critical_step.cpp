@@ -46,7 +46,12 @@ CriticalStep::CriticalStep(const Options& options) {
   }
 }
 
-double CriticalStep::resolve(const Rhs& rhs, double t, std::span<const double> y) const {
+bool CriticalStep::may_have_changed(Rhs& rhs, double t, std::span<const double> y) const {
+  const bool settled = rhs.settle(t, y, 0);
+  return rule_ == Rule::fraction && (settled || !rhs.traits().constant_jacobian);
+}
+
+double CriticalStep::resolve(Rhs& rhs, double t, std::span<const double> y) const {
   switch (rule_) {
     case Rule::step:
       return value_;

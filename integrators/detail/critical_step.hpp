@@ -18,7 +18,11 @@ class CriticalStep {
   explicit CriticalStep(const Options& options);
   /// Step [s] for `rhs` at (t, y); infinity for a network in which nothing limits it.
   ///   step = value | alpha * pair step without interface | fraction * 2 / certified bound
-  [[nodiscard]] double resolve(const Rhs& rhs, double t, std::span<const double> y) const;
+  [[nodiscard]] double resolve(Rhs& rhs, double t, std::span<const double> y) const;
+
+  /// To be asked every now and then at step ends: true when the step has to be resolved anew, because a field
+  /// has settled or because conductances follow the state.
+  [[nodiscard]] bool may_have_changed(Rhs& rhs, double t, std::span<const double> y) const;
 
  private:
   enum class Rule { step, alpha, fraction };

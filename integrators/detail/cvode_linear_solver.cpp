@@ -19,7 +19,7 @@ namespace {
 class KluLinearSolver final : public CvodeLinearSolver {
  public:
   KluLinearSolver(const std::string& ordering, Rhs& rhs, N_Vector y, SUNContext context)
-      : ordering_(ordering, rhs.pattern()), jacobian_(rhs.pattern().row.size()) {
+      : jacobian_(rhs.pattern().row.size()) {
     const auto& pattern = rhs.pattern();
     const auto n = static_cast<sunindextype>(rhs.size());
     matrix_.reset(SUNSparseMatrix(n, n, static_cast<sunindextype>(pattern.row.size()), CSC_MAT, context));
@@ -29,7 +29,7 @@ class KluLinearSolver final : public CvodeLinearSolver {
     std::copy(pattern.row.begin(), pattern.row.end(), SUNSparseMatrix_IndexValues(matrix_.get()));
     solver_.reset(SUNLinSol_KLU(y, matrix_.get(), context));
     if (!solver_) throw std::runtime_error("CVODE: the KLU solver cannot be created");
-    ordering_.apply(*SUNLinSol_KLUGetCommon(solver_.get()));
+    apply_klu_ordering(ordering, *SUNLinSol_KLUGetCommon(solver_.get()));
   }
 
   void attach(void* cvode) override {
@@ -59,7 +59,6 @@ class KluLinearSolver final : public CvodeLinearSolver {
     return 0;
   }
 
-  KluOrdering ordering_;
   std::vector<double> jacobian_;
   std::uint64_t version_ = 0;
   sundials::Matrix matrix_;

@@ -16,13 +16,15 @@ std::vector<OptionKey> tolerance_keys(const std::string& default_rtol) {
   };
 }
 
-void ErrorWeights::prepare(const Rhs& rhs, const Plan& plan, double rtol, double atol) {
+void ErrorWeights::prepare(Rhs& rhs, const Plan& plan, double rtol, double atol) {
   rhs_ = &rhs;
   rtol_ = rtol;
   atol_ = atol;
   initial_ = plan.ranges;
-  source_rise_ =
-      plan.output_times.empty() ? 0 : rhs.source_rate() * (plan.output_times.back() - plan.t_begin);
+  const double duration = plan.output_times.empty() ? 0 : plan.output_times.back() - plan.t_begin;
+  source_rise_.clear();
+  for (std::size_t f = 0; f < rhs.fields().size(); ++f)
+    source_rise_.push_back(initial_[f].span() > 0 ? 0 : std::abs(rhs.mean_source_rate(f)) * duration);
   const auto fields = rhs.fields();
   field_span_.resize(fields.size());
   field_of_entry_.assign(fields.size() > 1 ? rhs.size() : 0, 0);
@@ -52,8 +54,8 @@ void ErrorWeights::update_spans() {
   for (std::size_t f = 0; f < ranges_.size(); ++f) {
     // A field that starts uniform has no span yet: what sources will add, else its own size, stands in.
     const double size = std::max(std::abs(ranges_[f].low), std::abs(ranges_[f].high));
-    field_span_[f] = ranges_[f].span();
-    if (!(field_span_[f] > 0)) field_span_[f] = source_rise_ > 0 ? source_rise_ : size > 0 ? size : 1.0;
+    field_span_[f] = std::max(ranges_[f].span(), source_rise_[f]);
+    if (!(field_span_[f] > 0)) field_span_[f] = size > 0 ? size : 1.0;
   }
 }
 

@@ -18,7 +18,7 @@ namespace superstep {
 
 class ErrorWeights {
  public:
-  void prepare(const Rhs& rhs, const Plan& plan, double rtol, double atol);
+  void prepare(Rhs& rhs, const Plan& plan, double rtol, double atol);
   /// Back to the range of initial and fixed values.
   void restart();
   /// Takes computed values into the spans.
@@ -47,7 +47,8 @@ class ErrorWeights {
   }
 
   const Rhs* rhs_ = nullptr;
-  double rtol_ = 0, atol_ = 0, source_rise_ = 0;
+  double rtol_ = 0, atol_ = 0;
+  std::vector<double> source_rise_;  // [fields] what sources add to the mean by the end
   std::vector<FieldRange> initial_, ranges_;
   std::vector<double> field_span_;
   std::vector<std::uint8_t> field_of_entry_;  // [n], only with several fields

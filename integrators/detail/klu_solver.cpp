@@ -12,14 +12,14 @@ namespace {
 
 class KluSolver final : public ShiftedSolver {
  public:
-  explicit KluSolver(Rhs& rhs) : rhs_(rhs), ordering_("metis", rhs.pattern()) {
+  explicit KluSolver(Rhs& rhs) : rhs_(rhs) {
     const auto& pattern = rhs.pattern();
     column_begin_.assign(pattern.column_begin.begin(), pattern.column_begin.end());
     row_.assign(pattern.row.begin(), pattern.row.end());
     jacobian_.resize(row_.size());
     matrix_.resize(row_.size());
     klu_l_defaults(&common_);
-    ordering_.apply(common_);
+    apply_klu_ordering("metis", common_);
     symbolic_ =
         klu_l_analyze(static_cast<SuiteSparse_long>(rhs.size()), column_begin_.data(), row_.data(), &common_);
     if (!symbolic_) throw std::runtime_error("KLU cannot analyse the matrix: out of memory");
@@ -42,7 +42,7 @@ class KluSolver final : public ShiftedSolver {
     for (const auto k : rhs_.pattern().diagonal) matrix_[static_cast<std::size_t>(k)] += 1;
     ++factorizations_;
     shift_ = std::numeric_limits<double>::quiet_NaN();
-    // I - c J is diagonally dominant, so the pivots of the first factorization serve all the others.
+    // I - c J is close to diagonally dominant, so the pivots of the first factorization serve all the others.
     const bool ok = numeric_ ? klu_l_refactor(column_begin_.data(), row_.data(), matrix_.data(), symbolic_,
                                               numeric_, &common_) != 0
                              : (numeric_ = klu_l_factor(column_begin_.data(), row_.data(), matrix_.data(),
@@ -60,7 +60,6 @@ class KluSolver final : public ShiftedSolver {
 
  private:
   Rhs& rhs_;
-  KluOrdering ordering_;
   std::vector<SuiteSparse_long> column_begin_, row_;
   std::vector<double> jacobian_, matrix_;
   std::uint64_t jacobian_version_ = 0;

@@ -84,7 +84,7 @@ double LanczosPropagator::allowed_error() const {
   const double total = rhs().reduction().sum([&](std::size_t i) { return capacity[i]; });
   double span = 0;
   for (const auto& range : plan().ranges) span = std::max(span, range.span());
-  if (!(span > 0)) span = rhs().source_rate() * (plan().output_times.back() - plan().t_begin);
+  if (!(span > 0)) span = rhs().source_rate(0) * (plan().output_times.back() - plan().t_begin);
   return rtol_ * span * std::sqrt(total);
 }
 

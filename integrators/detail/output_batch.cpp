@@ -33,11 +33,13 @@ void BatchPropagator::prepare(Rhs& rhs, const Plan& plan) {
   allocate(outputs_.size());
 }
 
-void BatchPropagator::start(double t, std::span<const double> y) {
+void BatchPropagator::start_at(double t, std::span<const double> y, std::size_t next_output) {
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), first_state_.begin());
   origin_ = current_ = &first_state_;
   t_ = t_batch_ = t;
-  next_output_ = batch_begin_ = batch_size_ = 0;
+  next_output_ = batch_begin_ = next_output;
+  batch_size_ = 0;
   inflow_before_ = 0;
   statistics_ = {};
 }
@@ -74,7 +76,7 @@ Outcome BatchPropagator::compute_batch() {
 }
 
 Outcome BatchPropagator::advance(double t_out) {
-  if (guard_.stop_requested()) return interrupted_at(t_);
+  if (guard_.stop_requested(t_)) return interrupted_at(t_);
   const std::size_t instants = plan_.history ? history_per_output : 1;
   if (next_output_ == batch_begin_ + batch_size_) {
     if (current_ != &first_state_ && !current_->empty())

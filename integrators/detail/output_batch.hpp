@@ -17,7 +17,9 @@ namespace superstep {
 class BatchPropagator : public Integrator {
  public:
   void prepare(Rhs& rhs, const Plan& plan) final;
-  void start(double t, std::span<const double> y) final;
+  void start(double t, std::span<const double> y) final { start_at(t, y, 0); }
+  /// The same in the middle of the plan: the output times before number `next_output` are past.
+  void start_at(double t, std::span<const double> y, std::size_t next_output);
   Outcome advance(double t_out) final;
   [[nodiscard]] double time() const noexcept final { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept final { return *current_; }
@@ -37,7 +39,7 @@ class BatchPropagator : public Integrator {
   [[nodiscard]] const Plan& plan() const noexcept { return plan_; }
   [[nodiscard]] std::span<const double> origin() const noexcept { return *origin_; }
   [[nodiscard]] double radius() const noexcept { return radius_; }
-  [[nodiscard]] bool stop_requested() const noexcept { return guard_.stop_requested(); }
+  [[nodiscard]] bool stop_requested() const noexcept { return guard_.stop_requested(t_); }
   [[nodiscard]] double now() const noexcept { return t_batch_; }
   /// Results of a network in which nothing exchanges anything: values grow by their sources.
   [[nodiscard]] Outcome no_exchange(std::span<Output> outputs);

@@ -16,14 +16,16 @@ void RunGuard::prepare(const Rhs& rhs, const Plan& plan) {
   rhs_ = &rhs;
   ranges_ = plan.ranges;
   t_begin_ = plan.t_begin;
-  source_rate_ = rhs.source_rate();
+  source_rate_.clear();
+  for (std::size_t f = 0; f < rhs.fields().size(); ++f) source_rate_.push_back(rhs.source_rate(f));
   stop_ = plan.stop;
+  reached_ = plan.reached;
 }
 
 Outcome RunGuard::check(double t, std::span<const double> y) const {
   const auto fields = rhs_->fields();
   for (std::size_t f = 0; f < fields.size(); ++f) {
-    const double widened = source_rate_ * (t - t_begin_);
+    const double widened = t > t_begin_ ? source_rate_[f] * (t - t_begin_) : 0;
     const double low = ranges_[f].low - widened, high = ranges_[f].high + widened;
     const double rounding = 1e-6 * std::max(std::abs(low), std::abs(high));
     const double slack = allowed_spans * (high - low) + rounding + std::numeric_limits<double>::min();

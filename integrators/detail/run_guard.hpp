@@ -15,7 +15,9 @@ class RunGuard {
   void prepare(const Rhs& rhs, const Plan& plan);
   /// Looks at the whole state; call it at output times and every `stride` steps.
   [[nodiscard]] Outcome check(double t, std::span<const double> y) const;
-  [[nodiscard]] bool stop_requested() const noexcept {
+  /// Asked at step ends: tells whoever watches that `t` is reached.
+  [[nodiscard]] bool stop_requested(double t) const noexcept {
+    if (reached_) reached_->store(t, std::memory_order_relaxed);
     return stop_ && stop_->load(std::memory_order_relaxed);
   }
 
@@ -24,8 +26,10 @@ class RunGuard {
  private:
   const Rhs* rhs_ = nullptr;
   std::vector<FieldRange> ranges_;
-  double t_begin_ = 0, source_rate_ = 0;
+  std::vector<double> source_rate_;  // [fields]
+  double t_begin_ = 0;
   const std::atomic<bool>* stop_ = nullptr;
+  std::atomic<double>* reached_ = nullptr;
 };
 
 /// The outcome of a run that was asked to stop.

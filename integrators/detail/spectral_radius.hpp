@@ -8,7 +8,7 @@ namespace superstep {
 class SpectralRadius {
  public:
   /// Upper bound of the spectral radius at (t, y) [1/s], kept while the values of the right-hand side stand.
-  /// Linear symmetric scenes: Lanczos, inflated; others: the certified bound.
+  /// Constant blocks: Lanczos, inflated, plus what may come on top; others: the certified bound.
   [[nodiscard]] double at(Rhs& rhs, double t, std::span<const double> y);
 
  private:

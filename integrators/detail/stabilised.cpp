@@ -12,19 +12,18 @@
 namespace superstep {
 namespace {
 
-constexpr int largest_stages = 20000;
 constexpr int radius_refresh = 25;  // accepted steps, for scenes whose conductances change
 
 }  // namespace
 
-std::vector<OptionKey> stabilised_keys(bool two_orders) {
+std::vector<OptionKey> stabilised_keys(const StabilisedFamily& family, bool two_orders) {
   std::vector<OptionKey> keys = tolerance_keys("1e-4");
   keys.push_back(
       {.name = "step", .min = 0, .min_open = true, .unit = "s", .meaning = "fixed step instead of rtol"});
   keys.push_back({.name = "stages",
                   .type = OptionKey::Type::integer,
-                  .min = 1,
-                  .max = largest_stages,
+                  .min = static_cast<double>(two_orders ? 1 : family.fewest_stages),
+                  .max = static_cast<double>(family.most_stages),
                   .fallback = "as stability asks",
                   .meaning = "with step: fixed number of stages"});
   if (two_orders)
@@ -43,7 +42,7 @@ Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
       atol_(options.number("atol").value_or(0.0)),
       fixed_step_(options.number("step").value_or(0.0)),
       fixed_stages_(options.integer("stages").value_or(0)),
-      controller_(family.order) {
+      controller_(family.controlled_order) {
   static const std::array<std::string, 2> with_rtol = {"rtol", "step"}, with_atol = {"atol", "step"};
   options.at_most_one_of(with_rtol);
   options.at_most_one_of(with_atol);
@@ -58,14 +57,6 @@ Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
                                  family.fewest_stages));
 }
 
-int Stabilised::stage_limit() const noexcept {
-  // Rounding inside a step grows like s^2; beyond this it would exceed the tolerance.
-  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-  const double limit = std::sqrt(rtol_ / (10 * unit_roundoff));
-  return std::clamp(static_cast<int>(std::min<double>(limit, largest_stages)), family_.fewest_stages + 2,
-                    largest_stages);
-}
-
 void Stabilised::prepare(Rhs& rhs, const Plan& plan) {
   rhs_ = &rhs;
   track_inflow_ = plan.track_inflow;
@@ -76,14 +67,20 @@ void Stabilised::prepare(Rhs& rhs, const Plan& plan) {
   state_.resize(rhs.size());
   derivative_.resize(rhs.size());
   next_derivative_.resize(rhs.size());
-  engine_.resize(rhs.size());
+  const bool finishing = family_.order == 4;
+  engine_.resize(rhs.size(), finishing);
+  // A nonlinear right-hand side sees the state with its roundings, not only the change within the step.
+  constexpr double state_over_change = 16;
+  const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
+  stage_limit_ = family_.stages_within_rounding(finishing && !by_change ? rtol_ / state_over_change : rtol_);
   for (auto* v : {&scheme_.m, &scheme_.n, &scheme_.mt, &scheme_.gt, &scheme_.c})
-    v->reserve(static_cast<std::size_t>(largest_stages) + 1);
+    v->reserve(static_cast<std::size_t>(family_.most_stages) + 1);
   if (needs_radius() && rhs.traits().linear) radius_ = spectral_radius_.at(rhs, plan.t_begin, state_);
 }
 
 void Stabilised::start(double t, std::span<const double> y) {
   t_ = t;
+  rhs_->restart(t);
   state_.assign(y.begin(), y.end());
   statistics_ = {};
   if (needs_radius()) radius_ = spectral_radius_.at(*rhs_, t, state_);
@@ -92,7 +89,7 @@ void Stabilised::start(double t, std::span<const double> y) {
   controller_.restart();
   step_ = 0;  // chosen at the first advance
   scheme_.stages = 0;
-  const bool needs_derivative = fixed_step_ == 0 || family_.order == 2;
+  const bool needs_derivative = fixed_step_ == 0 || family_.order >= 2;
   if (needs_derivative) (*rhs_)(t_, state_, derivative_);
 }
 
@@ -131,18 +128,28 @@ void Stabilised::accept(double t_next) {
   }
 }
 
+/// A field that has settled leaves a smaller spectrum and its own derivative behind.
+void Stabilised::look_for_settling() {
+  // What the method leaves behind stays well below its tolerance.
+  constexpr double part_of_tolerance = 0.1;
+  if (!rhs_->settle(t_, state_, fixed_step_ > 0 ? 0 : part_of_tolerance * rtol_)) return;
+  if (needs_radius()) radius_ = spectral_radius_.at(*rhs_, t_, state_);
+  (*rhs_)(t_, state_, derivative_);
+}
+
 Outcome Stabilised::advance_fixed(double t_out) {
   const double t_in = t_;
   const auto steps = steps_to_cover(t_out - t_in, fixed_step_);
   for (std::uint64_t k = 1; k <= steps; ++k) {
     const double t_next = k == steps ? t_out : t_in + static_cast<double>(k) * fixed_step_;
-    if (fixed_stages_ == 0 && family_.stages_for((t_next - t_) * radius_) > largest_stages)
+    if (fixed_stages_ == 0 && family_.stages_for((t_next - t_) * radius_) > family_.most_stages)
       return {Status::failed, fmt::format("a step of {:.3g} s needs more than {} stages; take a smaller step",
-                                          fixed_step_, largest_stages)};
+                                          fixed_step_, family_.most_stages)};
     try_step(t_next - t_);
     accept(t_next);
-    if (family_.order == 2) (*rhs_)(t_, state_, derivative_);
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (scheme_.uses_first_derivative) (*rhs_)(t_, state_, derivative_);
+    look_for_settling();
+    if (guard_.stop_requested(t_)) return interrupted_at(t_);
     if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
   }
   return guard_.check(t_, state_);
@@ -161,14 +168,28 @@ double Stabilised::first_step(double largest) {
   return largest;
 }
 
-/// Weighted error of the trial step from both ends' derivatives:
+double Stabilised::estimate_error_of_finish(double h) {
+  const auto& b = scheme_.finish->embedded;
+  const auto& [f1, f2, f3, f4] = engine_.slopes();
+  const auto& next = engine_.result();
+  return scheme_.finish->estimate_scale *
+         weights_.norm(
+             [&](std::size_t i) {
+               return next[i] - state_[i] - h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]);
+             },
+             state_, next);
+}
+
+/// Weighted error of the trial step, from its finishing procedure when it has one, else from both ends'
+/// derivatives:
 ///   order 2: 12 (1/6 - c_3) ((y_n - y_{n+1}) + h/2 (F_n + F_{n+1})),  order 1: (1/2 - c_2) h (F_{n+1} - F_n)
 /// with c_k the Taylor coefficients of the scheme's own stability polynomial.
 double Stabilised::estimate_error(double h) {
   const auto& y = state_;
   const auto& next = engine_.result();
-  (*rhs_)(t_ + h, next, next_derivative_);
   weights_.widen(next);
+  if (scheme_.finish) return estimate_error_of_finish(h);
+  (*rhs_)(t_ + h, next, next_derivative_);
   if (family_.order == 1) {
     const double factor = (0.5 - taylor_coefficient(scheme_, 2)) * h;
     return weights_.norm([&](std::size_t i) { return factor * (next_derivative_[i] - derivative_[i]); }, y,
@@ -185,7 +206,7 @@ double Stabilised::estimate_error(double h) {
 Outcome Stabilised::advance_adaptive(double t_out) {
   if (step_ == 0) step_ = first_step(t_end_ - t_);
   while (t_ < t_out) {
-    const double limit = radius_ > 0 ? family_.beta(stage_limit()) / radius_ : step_;
+    const double limit = radius_ > 0 ? family_.beta(stage_limit_) / radius_ : step_;
     step_ = std::min(step_, limit);
     // The step that the error allows is kept; the one taken is shortened to land on the output time.
     const double remaining = t_out - t_;
@@ -204,15 +225,17 @@ Outcome Stabilised::advance_adaptive(double t_out) {
       ++statistics_.rejected;
       step_ = controller_.after_rejection(h, error);
       radius_ = spectral_radius_.at(*rhs_, t_, state_);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (guard_.stop_requested(t_)) return interrupted_at(t_);
       continue;
     }
     accept(h == remaining ? t_out : t_ + h);
+    if (scheme_.finish) (*rhs_)(t_, state_, next_derivative_);
     std::swap(derivative_, next_derivative_);
+    look_for_settling();
     const double next_step = controller_.after_acceptance(h, error);
     step_ = h < step_ ? std::max(step_, next_step)
                       : next_step;  // a shortened step says nothing against the planned one
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (guard_.stop_requested(t_)) return interrupted_at(t_);
     if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
   }
   return guard_.check(t_, state_);

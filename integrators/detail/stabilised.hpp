@@ -11,8 +11,8 @@
 
 namespace superstep {
 
-/// Keys rtol, atol, step, stages; `two_orders` adds the key `order`.
-[[nodiscard]] std::vector<OptionKey> stabilised_keys(bool two_orders);
+/// Keys rtol, atol, step and stages (up to those of `family`); `two_orders` adds the key `order`.
+[[nodiscard]] std::vector<OptionKey> stabilised_keys(const StabilisedFamily& family, bool two_orders);
 
 class Stabilised final : public Integrator {
  public:
@@ -33,16 +33,17 @@ class Stabilised final : public Integrator {
   void try_step(double h);
   void accept(double t_next);
   void set_stages(int stages);
+  void look_for_settling();
   /// False when step and stages are both given: nothing is left to choose from the spectrum.
   [[nodiscard]] bool needs_radius() const noexcept { return fixed_stages_ == 0; }
   [[nodiscard]] double with_full_stages(double h) const;
   [[nodiscard]] double first_step(double largest);
   [[nodiscard]] double estimate_error(double h);
-  [[nodiscard]] int stage_limit() const noexcept;
+  [[nodiscard]] double estimate_error_of_finish(double h);
 
   const StabilisedFamily& family_;
   double rtol_, atol_, fixed_step_;
-  int fixed_stages_;
+  int fixed_stages_, stage_limit_ = 0;
   Rhs* rhs_ = nullptr;
   RunGuard guard_;
   ProbeRecorder recorder_;

@@ -1,7 +1,9 @@
 #include "integrators/detail/stabilised_schemes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace superstep {
@@ -17,7 +19,8 @@ std::size_t at(int j) noexcept {
 void clear_scheme(int stages, double beta, ThreeTermScheme& scheme) {
   scheme.stages = stages;
   scheme.beta = beta;
-  scheme.uses_first_derivative = true;
+  scheme.uses_first_derivative = scheme.keeps_first_stage = true;
+  scheme.finish.reset();
   for (auto* v : {&scheme.m, &scheme.n, &scheme.mt, &scheme.gt, &scheme.c}) v->assign(at(stages) + 1, 0.0);
 }
 
@@ -84,7 +87,7 @@ double rkl1_beta(int s) {
 
 void rkl1_scheme(int s, ThreeTermScheme& scheme) {
   clear_scheme(s, rkl1_beta(s), scheme);
-  scheme.uses_first_derivative = false;
+  scheme.uses_first_derivative = scheme.keeps_first_stage = false;
   const double w1 = 2 / rkl1_beta(s);
   scheme.mt[1] = w1;
   for (std::size_t j = 2; j <= at(s); ++j) {
@@ -158,6 +161,14 @@ ThreeTermScheme StabilisedFamily::scheme(int stages) const {
   return out;
 }
 
+int StabilisedFamily::stages_within_rounding(double rtol) const {
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+  constexpr double loosest = 1e-5;  // sums over many neighbours round more often than once
+  const double limit =
+      std::pow(std::min(rtol, loosest) / (10 * unit_roundoff * rounding_factor), 1.0 / rounding_power);
+  return std::clamp(static_cast<int>(std::min<double>(limit, most_stages)), fewest_stages + 2, most_stages);
+}
+
 const StabilisedFamily& rkc1_family() {
   static const StabilisedFamily family{"rkc1", 1, 1, 1, rkc1_beta, rkc1_scheme};
   return family;
@@ -179,28 +190,62 @@ const StabilisedFamily& rkg2_family() {
   return family;
 }
 
+namespace {
+
+/// Result of the finishing procedure for y' = z y from the recurrence's result `first`; `times_z` multiplies
+/// a value by z.
+template <class Value, class TimesZ>
+Value finished(const FinishingProcedure& f, const Value& first, TimesZ times_z) {
+  std::array<Value, 4> slope;
+  Value out = first;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Value stage = first;
+    for (std::size_t j = 0; j < i; ++j) stage = stage + f.a[i - 1][j] * slope[j];
+    slope[i] = times_z(stage);
+    out = out + f.b[i] * slope[i];
+  }
+  return out;
+}
+
+/// Truncated power series in z.
+struct Series {
+  std::array<double, 6> term{};
+  friend Series operator+(Series a, const Series& b) {
+    for (std::size_t k = 0; k < a.term.size(); ++k) a.term[k] += b.term[k];
+    return a;
+  }
+  friend Series operator*(double factor, Series a) {
+    for (double& t : a.term) t *= factor;
+    return a;
+  }
+  [[nodiscard]] Series times_z() const {
+    Series out;
+    for (std::size_t k = 1; k < term.size(); ++k) out.term[k] = term[k - 1];
+    return out;
+  }
+};
+
+}  // namespace
+
 double stability_polynomial(const ThreeTermScheme& scheme, double z) {
   double before = 1, now = 1 + scheme.mt[1] * z;
-  for (std::size_t j = 2; j <= at(scheme.stages); ++j) {
+  for (std::size_t j = 2; j <= at(scheme.recurrence_stages()); ++j) {
     const double next = 1 - scheme.m[j] - scheme.n[j] + (scheme.m[j] + scheme.mt[j] * z) * now +
                         scheme.n[j] * before + scheme.gt[j] * z;
     before = std::exchange(now, next);
   }
-  return now;
+  return scheme.finish ? finished(*scheme.finish, now, [z](double y) { return z * y; }) : now;
 }
 
 double taylor_coefficient(const ThreeTermScheme& scheme, int k) {
-  // The recurrence on truncated power series in z.
-  constexpr std::size_t terms = 5;
-  using Series = std::array<double, terms>;
-  Series before{1}, now{1, scheme.mt[1]};
-  for (std::size_t j = 2; j <= at(scheme.stages); ++j) {
-    Series next{1 - scheme.m[j] - scheme.n[j], scheme.gt[j]};
-    for (std::size_t p = 0; p < terms; ++p)
-      next[p] += scheme.m[j] * now[p] + scheme.n[j] * before[p] + (p > 0 ? scheme.mt[j] * now[p - 1] : 0);
+  Series before{{1}}, now{{1, scheme.mt[1]}};
+  for (std::size_t j = 2; j <= at(scheme.recurrence_stages()); ++j) {
+    const Series constant{{1 - scheme.m[j] - scheme.n[j], scheme.gt[j]}};
+    Series next = constant + scheme.m[j] * now + scheme.n[j] * before + scheme.mt[j] * now.times_z();
     before = std::exchange(now, next);
   }
-  return now[at(k)];
+  if (scheme.finish) now = finished(*scheme.finish, now, [](const Series& y) { return y.times_z(); });
+  return now.term[at(k)];
 }
 
 }  // namespace superstep

@@ -8,7 +8,8 @@ namespace superstep {
 void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   const auto s = static_cast<std::size_t>(stages);
   scheme.stages = stages;
-  scheme.uses_first_derivative = false;
+  scheme.uses_first_derivative = scheme.keeps_first_stage = false;
+  scheme.finish.reset();
   for (auto* v : {&scheme.m, &scheme.n, &scheme.mt, &scheme.gt, &scheme.c}) v->assign(s + 1, 0.0);
   // T_j = cosh(j theta): T'_s/T_s = s tanh(s theta)/sinh(theta), theta free of cancellation.
   const double w0 = 1 + excess, sinh_theta = std::sqrt(excess * (2 + excess)), theta = std::asinh(sinh_theta);
@@ -27,15 +28,17 @@ void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   }
 }
 
-void ThreeTermEngine::resize(std::size_t size) {
+void ThreeTermEngine::resize(std::size_t size, bool finishing) {
   result_.resize(size);
   previous_.resize(size);
+  argument_.resize(finishing ? size : 0);
+  for (auto& slope : slopes_) slope.resize(finishing ? size : 0);
 }
 
 void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
                            std::span<const double> y0, std::span<const double> f0, double* inflow) {
-  const bool keeps_first = scheme.uses_first_derivative;
-  if (keeps_first) {
+  if (scheme.finish) return step_with_finish(rhs, scheme, t, h, y0, f0, inflow);
+  if (scheme.uses_first_derivative) {
     const double first = scheme.mt[1] * h;
     for (std::size_t i = 0; i < y0.size(); ++i) result_[i] = y0[i] + first * f0[i];
   } else {
@@ -46,11 +49,11 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
   double entered = scheme.mt[1] * h * inflow0, entered_before = 0;
 
   std::span<const double> before = y0;
-  for (std::size_t j = 2; j <= static_cast<std::size_t>(scheme.stages); ++j) {
+  for (std::size_t j = 2; j <= static_cast<std::size_t>(scheme.recurrence_stages()); ++j) {
     const double time = t + scheme.c[j - 1] * h;
     Stage stage{
         .y1 = result_.data(), .a = scheme.m[j], .d = scheme.mt[j] * h, .y2 = before.data(), .b = scheme.n[j]};
-    if (keeps_first) {
+    if (scheme.keeps_first_stage) {
       stage.y0 = y0.data();
       stage.c = 1 - scheme.m[j] - scheme.n[j];
       stage.f0 = f0.data();
@@ -65,6 +68,91 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
     std::swap(result_, previous_);
     before = previous_;
   }
+  if (inflow) *inflow += entered;
+}
+
+void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
+                                       std::span<const double> y0, std::span<const double> f0,
+                                       double* inflow) {
+  const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
+  const std::size_t n = y0.size();
+  const auto time = [&](std::size_t stage) { return t + scheme.c[stage] * h; };
+  const auto place = [&](const std::vector<double>& change) {
+    for (std::size_t i = 0; i < n; ++i) argument_[i] = y0[i] + change[i];
+  };
+  // Changes D_j = Y_j - Y_0 of the last two stages, and of E' = inflow(t, y), started at 0.
+  auto &now = result_, &before = previous_;
+  for (std::size_t i = 0; i < n; ++i) {
+    before[i] = 0;
+    now[i] = scheme.mt[1] * h * f0[i];
+  }
+  double entered = inflow ? scheme.mt[1] * h * rhs.inflow(t, y0) : 0, entered_before = 0;
+  const auto recurrence = static_cast<std::size_t>(scheme.recurrence_stages());
+  for (std::size_t j = 2; j <= recurrence; ++j) {
+    const double m = scheme.m[j], n_j = scheme.n[j], mt = scheme.mt[j] * h;
+    if (inflow || !by_change) place(now);
+    if (inflow) {
+      const double next = m * entered + n_j * entered_before + mt * rhs.inflow(time(j - 1), argument_);
+      entered_before = std::exchange(entered, next);
+    }
+    // Terms with factor zero are there because a sweep takes Y_0 and F_0 together.
+    if (by_change)
+      rhs.linear_stage({.y1 = now.data(),
+                        .a = m,
+                        .d = mt,
+                        .y2 = before.data(),
+                        .b = n_j,
+                        .y0 = y0.data(),
+                        .c = 0,
+                        .f0 = f0.data(),
+                        .e = mt},
+                       before);
+    else
+      rhs.stage(time(j - 1),
+                {.y1 = argument_.data(),
+                 .a = 0,
+                 .d = mt,
+                 .y2 = before.data(),
+                 .b = n_j,
+                 .y0 = now.data(),
+                 .c = m,
+                 .f0 = f0.data(),
+                 .e = 0},
+                before);
+    std::swap(now, before);
+  }
+
+  const auto& a = scheme.finish->a;
+  const auto& b = scheme.finish->b;
+  const auto sweep = [&](std::size_t k, const std::vector<double>& change) {
+    if (inflow || !by_change) place(change);
+    if (by_change)
+      rhs.linear_stage({.y1 = change.data(),
+                        .a = 0,
+                        .d = 1,
+                        .y2 = y0.data(),
+                        .b = 0,
+                        .y0 = y0.data(),
+                        .c = 0,
+                        .f0 = f0.data(),
+                        .e = 1},
+                       slopes_[k]);
+    else
+      rhs(time(recurrence + k), argument_, slopes_[k]);
+    if (inflow) entered += h * b[k] * rhs.inflow(time(recurrence + k), argument_);
+  };
+  const auto& [f1, f2, f3, f4] = slopes_;
+  auto& stage = before;
+  sweep(0, now);
+  for (std::size_t i = 0; i < n; ++i) stage[i] = now[i] + h * (a[0][0] * f1[i]);
+  sweep(1, stage);
+  for (std::size_t i = 0; i < n; ++i) stage[i] = now[i] + h * (a[1][0] * f1[i] + a[1][1] * f2[i]);
+  sweep(2, stage);
+  for (std::size_t i = 0; i < n; ++i)
+    stage[i] = now[i] + h * (a[2][0] * f1[i] + a[2][1] * f2[i] + a[2][2] * f3[i]);
+  sweep(3, stage);
+  for (std::size_t i = 0; i < n; ++i)
+    result_[i] = y0[i] + (now[i] + h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]));
   if (inflow) *inflow += entered;
 }
 

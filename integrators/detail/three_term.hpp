@@ -2,7 +2,10 @@
 /// Stabilised explicit methods as one three-term recurrence, each stage one fused sweep:
 ///   Y_0 = y_n;  Y_1 = Y_0 + mt_1 h F_0
 ///   Y_j = (1 - m_j - n_j) Y_0 + m_j Y_{j-1} + n_j Y_{j-2} + mt_j h F_{j-1} + gt_j h F_0
+/// and, for order four, a finishing procedure of four more stages behind it.
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,12 +13,31 @@
 
 namespace superstep {
 
+/// Four explicit stages that start from the result G_1 of the recurrence with its r stages:
+///   G_i = G_1 + h sum_{j<i} a_ij F(G_j),   y_{n+1} = G_1 + h sum_i b_i F(G_i)
+///   error = estimate_scale (y_{n+1} - y_n - h sum_i embedded_i F(G_i))
+/// G_i is stage r + i - 1 of the scheme: its time is c_{r+i-1} h.
+struct FinishingProcedure {
+  static constexpr int stages = 4;
+  std::array<std::array<double, 3>, 3> a{};  ///< rows of G_2, G_3, G_4
+  std::array<double, 4> b{};
+  std::array<double, 4> embedded{};  ///< a result one order lower
+  double estimate_scale = 1;
+};
+
 /// Coefficients of one method with s stages; entry 0 of each array is unused.
 struct ThreeTermScheme {
-  int stages = 0;
+  int stages = 0;                       ///< sweeps of one step, s
   double beta = 0;                      ///< stable for h * rho <= beta
-  bool uses_first_derivative = false;   ///< gt or the Y_0 term is not zero
+  bool uses_first_derivative = false;   ///< the first stage starts from F_0 as given
+  bool keeps_first_stage = false;       ///< gt or the Y_0 term is not zero
   std::vector<double> m, n, mt, gt, c;  ///< [s+1]; c_j h = time of stage j
+  std::optional<FinishingProcedure> finish{};
+
+  /// Stages of the three-term recurrence alone, r.
+  [[nodiscard]] int recurrence_stages() const noexcept {
+    return finish ? stages - FinishingProcedure::stages : stages;
+  }
 };
 
 /// First-order RKC polynomial T_s(w0 + w1 z)/T_s(w0), by ratios of T_j that cannot overflow.
@@ -28,17 +50,27 @@ void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme);
 /// Work vectors of the recurrence, allocated once.
 class ThreeTermEngine {
  public:
-  void resize(std::size_t size);
+  ///   finishing  the schemes to come have a finishing procedure
+  void resize(std::size_t size, bool finishing = false);
   /// One step from y0 over h. `f0` = f(t, y0) when the scheme uses it, else may be empty (the engine sweeps
   /// for itself).
   ///   inflow  when not null, gains the inflow integrated by the same recurrence
+  /// With a finishing procedure the stages are kept as changes from y0: their roundings, which the finish
+  /// multiplies, are then those of the change. Linear autonomous right-hand sides are even evaluated at the
+  /// change.
   /// The result is in `result()` until the next call; y0 is left as it is.
   void step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
             std::span<const double> f0, double* inflow);
   [[nodiscard]] std::vector<double>& result() noexcept { return result_; }
+  /// F(G_1) ... F(G_4) of the last step's finishing procedure.
+  [[nodiscard]] const std::array<std::vector<double>, 4>& slopes() const noexcept { return slopes_; }
 
  private:
-  std::vector<double> result_, previous_;
+  void step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
+                        std::span<const double> y0, std::span<const double> f0, double* inflow);
+
+  std::vector<double> result_, previous_, argument_;
+  std::array<std::vector<double>, 4> slopes_;
 };
 
 }  // namespace superstep

@@ -26,6 +26,7 @@ void TrapezoidalFixedPoint::prepare(Rhs& rhs, const Plan& plan) {
 
 void TrapezoidalFixedPoint::start(double t, std::span<const double> y) {
   t_ = t;
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), state_.begin());
   (*rhs_)(t_, state_, derivative_);
   radius_ = spectral_radius_.at(*rhs_, t_, state_);
@@ -101,7 +102,7 @@ Outcome TrapezoidalFixedPoint::advance(double t_out) {
     const double remaining = t_out - t_;
     const double h = step_ >= remaining * (1 - 1e-12) ? remaining : step_;
     const Iteration result = iterate(h);
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (guard_.stop_requested(t_)) return interrupted_at(t_);
     if (!result.converged) {
       ++statistics_.rejected;
       if (fixed > 0) {

@@ -31,6 +31,7 @@ void TrapezoidalNewton::prepare(Rhs& rhs, const Plan& plan) {
 
 void TrapezoidalNewton::start(double t, std::span<const double> y) {
   t_ = t;
+  rhs_->restart(t);
   std::copy(y.begin(), y.end(), state_.begin());
   (*rhs_)(t_, state_, derivative_);
   weights_.restart();
@@ -96,7 +97,7 @@ Outcome TrapezoidalNewton::advance_fixed(double t_out) {
   for (std::uint64_t k = 1; k <= steps; ++k) {
     if (Outcome outcome = try_step(h); !outcome.ok()) return outcome;
     accept(k == steps ? t_out : t_in + static_cast<double>(k) * h);
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (guard_.stop_requested(t_)) return interrupted_at(t_);
     if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
   }
   return guard_.check(t_, state_);
@@ -132,7 +133,7 @@ Outcome TrapezoidalNewton::advance_controlled(double t_out) {
       return {Status::failed, fmt::format("the step shrank to {:.3g} s at t = {:.6g} s; loosen rtol", h, t_)};
     if (Outcome outcome = try_step(h); !outcome.ok()) return outcome;
     const double error = milne_error(h);
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (guard_.stop_requested(t_)) return interrupted_at(t_);
     if (!(error <= 1)) {
       ++statistics_.rejected;
       step_ = controller_.after_rejection(h, error);

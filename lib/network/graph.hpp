@@ -6,7 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "core/time_table.hpp"
+
 namespace superstep {
+
+/// Exchange of one node with its surroundings.
+struct AmbientExchange {
+  std::int32_t node = 0;
+  double coefficient = 0;   ///< convection: h A [W/K]; radiation: emissivity sigma_SB A [W/K^4]
+  double ambient = 0;       ///< K, where `table` is -1
+  std::int32_t table = -1;  ///< index into the graph's tables
+};
+
+/// A source that changes in time.
+struct TabledSource {
+  std::int32_t node = 0, table = 0;
+};
 
 /// n nodes and m edges of one field; positions 0..n-1 are the user's order.
 struct Graph {
@@ -19,8 +34,18 @@ struct Graph {
   std::vector<std::int32_t> i, j;   ///< [m] positions
   std::vector<double> conductance;  ///< [m] W/K or S, >= 0
 
+  std::vector<TimeTable> tables;          ///< whatever changes in time
+  std::vector<std::int32_t> fixed_table;  ///< [n], or empty: table of a fixed value, -1 = constant
+  std::vector<TabledSource> tabled_sources;
+  std::vector<AmbientExchange> convection, radiation;
+
   [[nodiscard]] std::size_t nodes() const noexcept { return id.size(); }
   [[nodiscard]] std::size_t edges() const noexcept { return i.size(); }
+  /// Fixed value of a node at time t [K or V]; meaningful where is_fixed.
+  [[nodiscard]] double fixed_at(std::size_t node, double t) const noexcept {
+    const auto table = fixed_table.empty() ? -1 : fixed_table[node];
+    return table < 0 ? fixed_value[node] : tables[static_cast<std::size_t>(table)].at(t);
+  }
 };
 
 /// Reads `id,capacity,source,initial,fixed` and `i,j,conductance`. Throws InputError with file, line, value

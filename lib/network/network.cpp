@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "network/ordering.hpp"
 
@@ -83,7 +85,9 @@ void add_ghosts(const Graph& graph, std::span<const NodeRole> roles, Network& ne
     auto& ghost = ghost_of_node[at(fixed)];
     if (ghost < 0) {
       ghost = static_cast<std::int32_t>(network.ghost_value.size());
-      network.ghost_value.push_back(graph.fixed_value[at(fixed)]);
+      network.ghost_value.push_back(graph.fixed_at(at(fixed), 0));
+      network.ghost_table.push_back(graph.fixed_table.empty() ? -1 : graph.fixed_table[at(fixed)]);
+      network.ghost_node.push_back(fixed);
     }
     network.ghost_edges.push_back({network.row_of_node[at(free)], ghost, conductance});
   };
@@ -91,8 +95,37 @@ void add_ghosts(const Graph& graph, std::span<const NodeRole> roles, Network& ne
     add(graph.i[k], graph.j[k], graph.conductance[k]);
     add(graph.j[k], graph.i[k], graph.conductance[k]);
   }
-  std::stable_sort(network.ghost_edges.begin(), network.ghost_edges.end(),
-                   [](const auto& a, const auto& b) { return a.row < b.row; });
+}
+
+/// Convection is conduction to a node that holds the ambient's value: one ghost for each ambient.
+void add_convection(const Graph& graph, Network& network) {
+  std::map<std::pair<double, std::int32_t>, std::int32_t> ghost_of_ambient;
+  for (const auto& exchange : graph.convection) {
+    const auto row = network.row_of_node[at(exchange.node)];
+    if (row < 0) continue;
+    const auto [entry, fresh] = ghost_of_ambient.try_emplace(
+        {exchange.ambient, exchange.table}, static_cast<std::int32_t>(network.ghost_value.size()));
+    if (fresh) {
+      network.ghost_value.push_back(exchange.table < 0 ? exchange.ambient
+                                                       : graph.tables[at(exchange.table)].at(0));
+      network.ghost_table.push_back(exchange.table);
+      network.ghost_node.push_back(-1);
+    }
+    network.ghost_edges.push_back({row, entry->second, exchange.coefficient});
+  }
+}
+
+void add_inputs(const Graph& graph, Network& network) {
+  network.tables = graph.tables;
+  for (const auto& source : graph.tabled_sources)
+    if (const auto row = network.row_of_node[at(source.node)]; row >= 0)
+      network.tabled_sources.push_back({row, source.table});
+  for (auto exchange : graph.radiation) {
+    exchange.node = network.row_of_node[at(exchange.node)];
+    if (exchange.node >= 0) network.radiation.push_back(exchange);
+  }
+  std::stable_sort(network.radiation.begin(), network.radiation.end(),
+                   [](const auto& a, const auto& b) { return a.node < b.node; });
 }
 
 }  // namespace
@@ -118,7 +151,18 @@ Network build_network(const Graph& graph, std::span<const NodeRole> roles) {
     network.source.push_back(graph.source[at(node)]);
   }
   add_ghosts(graph, roles, network);
+  add_convection(graph, network);
+  std::stable_sort(network.ghost_edges.begin(), network.ghost_edges.end(),
+                   [](const auto& a, const auto& b) { return a.row < b.row; });
+  add_inputs(graph, network);
   return network;
+}
+
+bool Network::inputs_are_constant() const noexcept {
+  const auto is_constant = [](std::int32_t table) { return table < 0; };
+  return tabled_sources.empty() && std::all_of(ghost_table.begin(), ghost_table.end(), is_constant) &&
+         std::all_of(radiation.begin(), radiation.end(),
+                     [&](const auto& exchange) { return is_constant(exchange.table); });
 }
 
 std::vector<double> Network::ghost_conductance() const {

@@ -19,7 +19,8 @@ enum class NodeRole : char {
 /// Immutable symmetric network of n free nodes and g ghosts.
 ///
 ///   rows      row_begin[i] .. row_begin[i+1] hold the free neighbours of free node i
-///   ghosts    edges from a free node to a node with a fixed value, sorted by row
+///   ghosts    edges from a free node to a node with a fixed value, or to the ambient that it convects to,
+///             sorted by row
 struct Network {
   struct GhostEdge {
     std::int32_t row, ghost;
@@ -30,14 +31,22 @@ struct Network {
   std::vector<std::int32_t> column;     ///< [nnz] free nodes, ascending in each row
   std::vector<double> conductance;      ///< [nnz] W/K or S; entry (i,j) equals entry (j,i)
   std::vector<GhostEdge> ghost_edges;
-  std::vector<double> ghost_value;        ///< [g] K or V
+  std::vector<double> ghost_value;        ///< [g] K or V, at t = 0 where a table rules
+  std::vector<std::int32_t> ghost_node;   ///< [g] position in the graph; -1 for the ambient of a convection
   std::vector<double> capacity;           ///< [n] J/K or F
   std::vector<double> source;             ///< [n] W or A
   std::vector<std::int32_t> node_of_row;  ///< [n] position in the graph
   std::vector<std::int32_t> row_of_node;  ///< [graph nodes] row, or -1 for nodes that are not free
 
+  std::vector<TimeTable> tables;
+  std::vector<std::int32_t> ghost_table;     ///< [g] index into tables, -1 = constant
+  std::vector<TabledSource> tabled_sources;  ///< `node` is a row here
+  std::vector<AmbientExchange> radiation;    ///< `node` is a row here, ascending
+
   [[nodiscard]] std::size_t size() const noexcept { return capacity.size(); }
   [[nodiscard]] std::size_t nonzeros() const noexcept { return column.size(); }
+  /// False when a fixed value, a source or an ambient follows a table of time.
+  [[nodiscard]] bool inputs_are_constant() const noexcept;
   /// Row sums of conductances [n]: all edges, and the part that leads to fixed nodes.
   [[nodiscard]] std::vector<double> total_conductance() const;
   [[nodiscard]] std::vector<double> ghost_conductance() const;

@@ -20,6 +20,7 @@ std::size_t at(std::int32_t k) noexcept {
 struct SpdSolver::Factor {
   Factor() { cholmod_l_start(&common); }
   ~Factor() {
+    cholmod_l_free_sparse(&matrix, &common);
     cholmod_l_free_factor(&factor, &common);
     cholmod_l_finish(&common);
   }
@@ -27,6 +28,7 @@ struct SpdSolver::Factor {
   Factor& operator=(const Factor&) = delete;
 
   cholmod_common common{};
+  cholmod_sparse* matrix = nullptr;
   cholmod_factor* factor = nullptr;
   std::size_t fill = 0;
 };
@@ -53,16 +55,22 @@ SpdSolver::SpdSolver(const Network& network, double shift) : factor_(std::make_u
   auto& common = factor_->common;
   common.print = 0;
   const std::size_t n = network.size();
-  // Upper triangle by columns: row j of the network holds column j, since the matrix is symmetric.
-  cholmod_sparse* matrix =
+  factor_->matrix =
       cholmod_l_allocate_sparse(n, n, network.nonzeros() / 2 + n, 1, 1, 1, CHOLMOD_REAL, &common);
-  if (!matrix) throw NumericalError("out of memory for the network matrix");
-  auto* begin = static_cast<SuiteSparse_long*>(matrix->p);
-  auto* row = static_cast<SuiteSparse_long*>(matrix->i);
-  auto* value = static_cast<double*>(matrix->x);
+  if (!factor_->matrix) throw NumericalError("out of memory for the network matrix");
+  fill_values(network, shift);
+  factor_->factor = cholmod_l_analyze(factor_->matrix, &common);
+  factorize();
+}
+
+/// Upper triangle by columns: row j of the network holds column j, since the matrix is symmetric.
+void SpdSolver::fill_values(const Network& network, double shift) {
+  auto* begin = static_cast<SuiteSparse_long*>(factor_->matrix->p);
+  auto* row = static_cast<SuiteSparse_long*>(factor_->matrix->i);
+  auto* value = static_cast<double*>(factor_->matrix->x);
   const auto total = network.total_conductance();
   SuiteSparse_long out = 0;
-  for (std::size_t j = 0; j < n; ++j) {
+  for (std::size_t j = 0; j < network.size(); ++j) {
     begin[j] = out;
     for (auto k = network.row_begin[j]; k < network.row_begin[j + 1]; ++k) {
       const auto i = network.column[static_cast<std::size_t>(k)];
@@ -73,14 +81,21 @@ SpdSolver::SpdSolver(const Network& network, double shift) : factor_(std::make_u
     row[out] = static_cast<SuiteSparse_long>(j);
     value[out++] = total[j] + shift * network.capacity[j];
   }
-  begin[n] = out;
-  factor_->factor = cholmod_l_analyze(matrix, &common);
-  if (factor_->factor) cholmod_l_factorize(matrix, factor_->factor, &common);
-  cholmod_l_free_sparse(&matrix, &common);
+  begin[network.size()] = out;
+}
+
+void SpdSolver::factorize() {
+  auto& common = factor_->common;
+  if (factor_->factor) cholmod_l_factorize(factor_->matrix, factor_->factor, &common);
   if (!factor_->factor || common.status != CHOLMOD_OK)
     throw NumericalError(
         fmt::format("the network matrix could not be factorized (CHOLMOD status {})", common.status));
   factor_->fill = static_cast<std::size_t>(common.lnz);
+}
+
+void SpdSolver::refactorize(const Network& network, double shift) {
+  fill_values(network, shift);
+  factorize();
 }
 
 SpdSolver::~SpdSolver() = default;

@@ -14,6 +14,8 @@ class SpdSolver {
   /// Factorizes. Every component needs a fixed node or a shift > 0 [1/s]: a singular matrix "factorizes"
   /// without complaint, so connectivity is checked first. Throws NumericalError.
   explicit SpdSolver(const Network& network, double shift = 0.0);
+  /// Other conductances on the same graph: keeps the analysis. Throws NumericalError.
+  void refactorize(const Network& network, double shift = 0.0);
   ~SpdSolver();
   SpdSolver(const SpdSolver&) = delete;
   SpdSolver& operator=(const SpdSolver&) = delete;
@@ -24,6 +26,9 @@ class SpdSolver {
   [[nodiscard]] std::size_t fill() const noexcept;
 
  private:
+  void fill_values(const Network& network, double shift);
+  void factorize();
+
   struct Factor;
   std::unique_ptr<Factor> factor_;
 };

@@ -81,10 +81,21 @@ SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const doubl
 }
 
 SpectralEstimate estimate_spectral_radius(Rhs& rhs, const LanczosLimits& limits) {
-  const auto minus_jacobian = [&rhs](std::span<const double> v, std::span<double> out) {
-    rhs.linear_stage({.y1 = v.data(), .a = 0, .d = -1}, out);
-  };
-  return largest_eigenvalue(minus_jacobian, rhs.capacities(), limits);
+  SpectralEstimate out;
+  const auto fields = rhs.fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    if (!rhs.steps(f)) continue;
+    const auto minus_block = [&](std::span<const double> v, std::span<double> product) {
+      rhs.block_product(f, v, product);
+      for (double& entry : product) entry = -entry;
+    };
+    const auto capacity = rhs.capacities().subspan(fields[f].offset, fields[f].count);
+    const auto estimate = largest_eigenvalue(minus_block, capacity, limits);
+    const int products = out.products + estimate.products;
+    if (estimate.largest > out.largest) out = estimate;
+    out.products = products;
+  }
+  return out;
 }
 
 }  // namespace superstep

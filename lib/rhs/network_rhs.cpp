@@ -1,129 +1,73 @@
 #include "rhs/network_rhs.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "rhs/sweep.hpp"
-
 namespace superstep {
 namespace {
 
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
-std::size_t at(std::int64_t k) noexcept {
-  return static_cast<std::size_t>(k);
+RhsTraits traits_of(const Network& network) {
+  const bool linear = network.radiation.empty();
+  return {.linear = linear,
+          .constant_jacobian = linear,
+          .symmetric = true,
+          .autonomous = network.inputs_are_constant(),
+          .constant_blocks = true};
 }
 
 }  // namespace
 
-SpectralBounds spectral_bounds(const Network& network) {
-  const auto total = network.total_conductance(), ghost = network.ghost_conductance();
-  SpectralBounds bounds;
-  for (std::size_t i = 0; i < network.size(); ++i) {
-    const double capacity = network.capacity[i];
-    bounds.gershgorin = std::max(bounds.gershgorin, (2 * total[i] - ghost[i]) / capacity);
-    bounds.edge = std::max(bounds.edge, total[i] / capacity);
-    for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k) {
-      const auto j = at(network.column[at(k)]);
-      bounds.edge = std::max(bounds.edge, total[i] / capacity + total[j] / network.capacity[j]);
-    }
-  }
-  return bounds;
-}
-
 NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step)
-    : Rhs(network.size(), {.linear = true, .constant_jacobian = true, .symmetric = true, .autonomous = true},
+    : Rhs(network.size(), traits_of(network),
           {FieldView{std::move(field_name), std::move(unit), 0, 1, network.size()}}),
-      network_(std::move(network)),
+      field_(std::make_shared<FieldOperator>(std::move(network))),
       pair_step_(pair_step),
-      bound_(spectral_bounds(network_).smallest()),
-      rate_(network_.nonzeros()) {
-  for (std::size_t i = 0; i < size(); ++i)
-    for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k)
-      rate_[at(k)] = network_.conductance[at(k)] / network_.capacity[i];
-  for (const auto& edge : network_.ghost_edges)
-    ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
-  for (std::size_t i = 0; i < size(); ++i)
-    if (network_.source[i] != 0)
-      sources_.push_back({static_cast<std::int32_t>(i), network_.source[i] / network_.capacity[i]});
+      bound_(spectral_bounds(field_->network()).smallest()) {}
+
+NetworkRhs::NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_name, std::string unit,
+                       double pair_step, RhsCounters& counters)
+    : Rhs(field->size(), traits_of(field->network()),
+          {FieldView{std::move(field_name), std::move(unit), 0, 1, field->size()}}),
+      field_(std::move(field)),
+      pair_step_(pair_step),
+      bound_(spectral_bounds(field_->network()).smallest()) {
+  count_into(counters);
 }
 
-void NetworkRhs::do_stage(double /*t*/, const Stage& stage, std::span<double> out) {
-  fused_sweep({network_.row_begin, network_.column, rate_}, stage, out.data());
-  for (const auto& ghost : ghosts_)
-    out[at(ghost.row)] +=
-        stage.d * ghost.rate * (network_.ghost_value[at(ghost.ghost)] - stage.y1[ghost.row]);
-  for (const auto& source : sources_) out[at(source.row)] += stage.d * source.rate;
+void NetworkRhs::do_stage(double t, const Stage& stage, std::span<double> out) {
+  field_->stage(t, stage, out.data());
+  for (std::size_t i = 0; i < drive_.size(); ++i) out[i] += stage.d * drive_[i];
+}
+
+double NetworkRhs::inflow(double t, std::span<const double> y) {
+  double sum = field_->inflow(t, y);
+  for (std::size_t i = 0; i < drive_.size(); ++i) sum += network().capacity[i] * drive_[i];
+  return sum;
 }
 
 void NetworkRhs::do_linear_stage(const Stage& stage, std::span<double> out) {
-  fused_sweep({network_.row_begin, network_.column, rate_}, stage, out.data());
-  for (const auto& ghost : ghosts_) out[at(ghost.row)] -= stage.d * ghost.rate * stage.y1[ghost.row];
+  field_->conduction_stage(stage, out.data());
 }
 
-SparsePattern NetworkRhs::build_pattern() const {
-  SparsePattern pattern;
-  pattern.column_begin.push_back(0);
-  for (std::size_t j = 0; j < size(); ++j) {
-    const auto column = static_cast<std::int64_t>(j);
-    bool placed = false;
-    const auto place_diagonal = [&] {
-      pattern.diagonal.push_back(static_cast<std::int64_t>(pattern.row.size()));
-      pattern.row.push_back(column);
-      placed = true;
-    };
-    for (auto k = network_.row_begin[j]; k < network_.row_begin[j + 1]; ++k) {
-      const std::int64_t row = network_.column[at(k)];
-      if (!placed && row > column) place_diagonal();
-      pattern.row.push_back(row);
-    }
-    if (!placed) place_diagonal();
-    pattern.column_begin.push_back(static_cast<std::int64_t>(pattern.row.size()));
-  }
-  return pattern;
+void NetworkRhs::do_block_product(std::size_t /*field*/, std::span<const double> v, std::span<double> out) {
+  field_->conduction_stage({.y1 = v.data(), .a = 0, .d = 1}, out.data());
 }
 
-void NetworkRhs::do_jacobian(double /*t*/, std::span<const double> /*y*/, std::span<double> values) {
-  const auto total = network_.total_conductance();
-  std::size_t out = 0;
-  for (std::size_t j = 0; j < size(); ++j) {
-    bool placed = false;
-    const auto place_diagonal = [&] {
-      values[out++] = -total[j] / network_.capacity[j];
-      placed = true;
-    };
-    for (auto k = network_.row_begin[j]; k < network_.row_begin[j + 1]; ++k) {
-      const auto i = at(network_.column[at(k)]);
-      if (!placed && i > j) place_diagonal();
-      values[out++] = network_.conductance[at(k)] / network_.capacity[i];
-    }
-    if (!placed) place_diagonal();
-  }
+SparsePattern NetworkRhs::build_pattern() {
+  return assembly_.build(size(), [&](auto add) { field_->jacobian(field_->network().source, add); });
 }
 
-double NetworkRhs::spectral_bound(double /*t*/, std::span<const double> /*y*/) const {
-  return bound_;
+void NetworkRhs::do_jacobian(double /*t*/, std::span<const double> y, std::span<double> values) {
+  assembly_.fill(values, [&](auto add) { field_->jacobian(y, add); });
 }
 
-double NetworkRhs::inflow(double /*t*/, std::span<const double> y) const {
-  double sum = 0;
-  for (const auto& edge : network_.ghost_edges)
-    sum += edge.conductance * (network_.ghost_value[at(edge.ghost)] - y[at(edge.row)]);
-  for (const auto& source : sources_) sum += source.rate * network_.capacity[at(source.row)];
-  return sum;
+double NetworkRhs::spectral_bound(double t, std::span<const double> y) {
+  return bound_ + radius_beyond_blocks(t, y);
 }
 
-double NetworkRhs::linear_inflow(std::span<const double> v) const {
-  double sum = 0;
-  for (const auto& edge : network_.ghost_edges) sum -= edge.conductance * v[at(edge.row)];
-  return sum;
+double NetworkRhs::radius_beyond_blocks(double /*t*/, std::span<const double> y) const {
+  return field_->radiation_slope(y);
 }
 
-double NetworkRhs::source_rate() const {
-  double largest = 0;
-  for (const auto& source : sources_) largest = std::max(largest, std::abs(source.rate));
-  return largest;
+double NetworkRhs::mean_source_rate(std::size_t /*field*/) {
+  return field_->total_capacity() > 0 ? field_->total_source() / field_->total_capacity() : 0;
 }
 
 }  // namespace superstep

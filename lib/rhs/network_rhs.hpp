@@ -1,11 +1,11 @@
 #pragma once
-/// Conduction of one field with constant conductances, fixed values and sources:
-///   C_i dy_i/dt = sum_j K_ij (y_j - y_i) + Q_i        Rojek & Nisar 2026, eqs 1 and 5
+/// Conduction of one field with constant conductances: fixed values, sources, convection and radiation.
+/// Linear unless it radiates.
 
 #include <memory>
 
-#include "network/network.hpp"
-#include "rhs/rhs.hpp"
+#include "rhs/field_operator.hpp"
+#include "rhs/jacobian_assembly.hpp"
 
 namespace superstep {
 
@@ -14,44 +14,38 @@ class NetworkRhs final : public Rhs {
   ///   field_name, unit   what the entries are
   ///   pair_step [s]      pairwise critical step from particle contributions only
   NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step);
+  /// One field of a larger right-hand side, whose counters its sweeps add to.
+  NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_name, std::string unit, double pair_step,
+             RhsCounters& counters);
 
-  [[nodiscard]] double spectral_bound(double t, std::span<const double> y) const override;
+  [[nodiscard]] double spectral_bound(double t, std::span<const double> y) override;
   [[nodiscard]] double pair_step_without_interface() const override { return pair_step_; }
-  [[nodiscard]] std::span<const double> capacities() const noexcept override { return network_.capacity; }
-  [[nodiscard]] double inflow(double t, std::span<const double> y) const override;
-  [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
-  [[nodiscard]] double source_rate() const override;
+  [[nodiscard]] std::span<const double> capacities() const noexcept override { return network().capacity; }
+  [[nodiscard]] double inflow(double t, std::span<const double> y) override;
+  [[nodiscard]] double linear_inflow(std::span<const double> v) const override {
+    return field_->conduction_inflow(v);
+  }
+  [[nodiscard]] double source_rate(std::size_t /*field*/) const override {
+    return field_->largest_source_rate();
+  }
+  [[nodiscard]] double mean_source_rate(std::size_t /*field*/) override;
+  [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
 
-  [[nodiscard]] const Network& network() const noexcept { return network_; }
+  [[nodiscard]] const Network& network() const noexcept { return field_->network(); }
+  /// Rates [n] added to f from now on [K/s or V/s]; they must outlive their use. Empty = none.
+  void drive(std::span<const double> rate) noexcept { drive_ = rate; }
 
  private:
-  struct GhostRate {
-    std::int32_t row, ghost;
-    double rate;  ///< K/C [1/s]
-  };
-  struct SourceRate {
-    std::int32_t row;
-    double rate;  ///< Q/C [K/s or V/s]
-  };
-
   void do_stage(double t, const Stage& stage, std::span<double> out) override;
   void do_linear_stage(const Stage& stage, std::span<double> out) override;
+  void do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) override;
   void do_jacobian(double t, std::span<const double> y, std::span<double> values) override;
-  [[nodiscard]] SparsePattern build_pattern() const override;
+  [[nodiscard]] SparsePattern build_pattern() override;
 
-  Network network_;
+  std::shared_ptr<FieldOperator> field_;
+  std::span<const double> drive_;
+  JacobianAssembly assembly_;
   double pair_step_, bound_;
-  std::vector<double> rate_;  ///< [nnz] K_ij/C_i [1/s]
-  std::vector<GhostRate> ghosts_;
-  std::vector<SourceRate> sources_;
 };
-
-/// The certified bounds of the spectral radius of C^-1 K [1/s]; both are rigorous.
-struct SpectralBounds {
-  double edge = 0;  ///< max over free edges of d_i/C_i + d_j/C_j (a node with only fixed neighbours: d_i/C_i)
-  double gershgorin = 0;  ///< max over nodes of (2 d_i - g_i)/C_i, g_i = conductance to fixed nodes
-  [[nodiscard]] double smallest() const noexcept { return edge < gershgorin ? edge : gershgorin; }
-};
-[[nodiscard]] SpectralBounds spectral_bounds(const Network& network);
 
 }  // namespace superstep

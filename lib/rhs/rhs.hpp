@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/reduction.hpp"
+#include "rhs/sparse_pattern.hpp"
 
 namespace superstep {
 
@@ -17,6 +19,10 @@ struct RhsTraits {
   bool constant_jacobian = false;
   bool symmetric = false;   ///< C J symmetric: the Jacobian is self-adjoint in the capacity inner product
   bool autonomous = false;  ///< f does not depend on t
+  /// The fields' own diagonal blocks of J are constant and symmetric but for a diagonal part that
+  /// `radius_beyond_blocks` bounds, and at most one field acts on the other: the spectrum is that of the
+  /// blocks.
+  bool constant_blocks = false;
 };
 
 /// One field's entries inside the state: offset, offset + stride, ... (count of them).
@@ -24,13 +30,6 @@ struct FieldView {
   std::string name;  ///< "temperature" or "potential"
   std::string unit;  ///< "K" or "V"
   std::size_t offset = 0, stride = 1, count = 0;
-};
-
-/// Sparsity of the Jacobian in compressed columns, rows ascending; the diagonal is always present.
-struct SparsePattern {
-  std::vector<std::int64_t> column_begin;  ///< [n+1]
-  std::vector<std::int64_t> row;           ///< [nnz]
-  std::vector<std::int64_t> diagonal;      ///< [n] position of (i,i) in `row`
 };
 
 /// One stage of a three-term method, done in a single pass over the network:
@@ -49,9 +48,12 @@ struct Stage {
 
 /// Work done by a right-hand side since the last reset.
 struct RhsCounters {
-  std::uint64_t sweeps = 0;     ///< passes over the network, fused or not
-  std::uint64_t jacobians = 0;  ///< evaluations of Jacobian values
+  std::uint64_t sweeps = 0;            ///< passes over a field's network, fused or not
+  std::uint64_t jacobians = 0;         ///< evaluations of Jacobian values
+  std::uint64_t potential_solves = 0;  ///< steady potentials solved for
 };
+
+class OneWayCoupling;
 
 class Rhs {
  public:
@@ -65,25 +67,31 @@ class Rhs {
   [[nodiscard]] std::uint64_t values_version() const noexcept { return values_version_; }
   [[nodiscard]] std::uint64_t pattern_version() const noexcept { return pattern_version_; }
   [[nodiscard]] const Reduction& reduction() const noexcept { return reduction_; }
-  [[nodiscard]] const RhsCounters& counters() const noexcept { return counters_; }
+  [[nodiscard]] const RhsCounters& counters() const noexcept { return *counters_; }
 
   /// dydt = f(t, y). One sweep.
   void operator()(double t, std::span<const double> y, std::span<double> dydt) {
     stage(t, {.y1 = y.data(), .a = 0, .d = 1}, dydt);
   }
-  /// One fused stage. One sweep.
+  /// One fused stage. One sweep over the network of every field that is being stepped.
   void stage(double t, const Stage& stage, std::span<double> out) {
-    ++counters_.sweeps;
+    counters_->sweeps += networks_swept_;
     do_stage(t, stage, out);
   }
   /// The same with f(t, y1) replaced by J*y1; only for linear right-hand sides. One sweep.
   void linear_stage(const Stage& stage, std::span<double> out) {
-    ++counters_.sweeps;
+    ++counters_->sweeps;
     do_linear_stage(stage, out);
+  }
+  /// out = J_ff v, the constant block of one field; v and out [fields()[field].count]. One sweep. Only where
+  /// the blocks are constant.
+  void block_product(std::size_t field, std::span<const double> v, std::span<double> out) {
+    ++counters_->sweeps;
+    do_block_product(field, v, out);
   }
   /// Values of the Jacobian df/dy at (t, y) on `pattern()` [1/s].
   void jacobian(double t, std::span<const double> y, std::span<double> values) {
-    ++counters_.jacobians;
+    ++counters_->jacobians;
     do_jacobian(t, y, values);
   }
   /// Sparsity of the Jacobian; built at the first call, so that methods without matrices never pay for it.
@@ -92,20 +100,42 @@ class Rhs {
     return pattern_;
   }
 
-  /// Rigorous upper bound of the spectral radius of J near (t, y) [1/s].
-  [[nodiscard]] virtual double spectral_bound(double t, std::span<const double> y) const = 0;
+  /// Rigorous upper bound of the spectral radius of J at (t, y) [1/s].
+  [[nodiscard]] virtual double spectral_bound(double t, std::span<const double> y) = 0;
+  /// What the spectral radius may exceed that of the constant blocks by, at (t, y) [1/s].
+  [[nodiscard]] virtual double radius_beyond_blocks(double /*t*/, std::span<const double> /*y*/) const {
+    return 0;
+  }
   /// Pairwise critical step with particle contributions only, the one that the source paper's alpha refers to
   /// [s].
   [[nodiscard]] virtual double pair_step_without_interface() const = 0;
   /// Weights of the inner product in which J is symmetric [n]: the capacities.
   [[nodiscard]] virtual std::span<const double> capacities() const noexcept = 0;
-  /// Net heat (or charge) entering through fixed nodes and sources at (t, y) [W or A]: sum of C_i f_i.
-  [[nodiscard]] virtual double inflow(double t, std::span<const double> y) const = 0;
+  /// Net heat entering the temperature field at (t, y) [W], from outside and from Joule heat; charge [A]
+  /// where the potential is the only field. The sum of C_i f_i.
+  [[nodiscard]] virtual double inflow(double t, std::span<const double> y) = 0;
   /// Derivative of `inflow` along a change v of a linear right-hand side.
   [[nodiscard]] virtual double linear_inflow(std::span<const double> v) const = 0;
-  /// Largest |rate| that sources alone can cause [K/s or V/s]: how fast the maximum principle's range may
-  /// widen.
-  [[nodiscard]] virtual double source_rate() const = 0;
+  /// Largest |rate| that sources alone can cause in a field [K/s or V/s]: how fast the maximum principle's
+  /// range may widen; infinity when nothing bounds it beforehand.
+  [[nodiscard]] virtual double source_rate(std::size_t field) const = 0;
+  /// Rate at which sources change the mean of a field [K/s or V/s]: a measure of its span to come.
+  [[nodiscard]] virtual double mean_source_rate(std::size_t field) = 0;
+
+  /// The two halves of a scene in which one field drives the other through sources alone; null elsewhere.
+  [[nodiscard]] virtual OneWayCoupling* one_way() { return nullptr; }
+
+  /// Looks whether a driving field has become steady within the scene's tolerance, or within the `accuracy`
+  /// of the method (relative to its span) if that is coarser. Returns true when it stops being stepped from
+  /// now on: its values stay, sweeps and the spectrum shrink, `values_version` changes. Cheap to call at any
+  /// step end.
+  virtual bool settle(double /*t*/, std::span<const double> /*y*/, double /*accuracy*/) { return false; }
+  /// False for a field that has settled.
+  [[nodiscard]] virtual bool steps(std::size_t /*field*/) const noexcept { return true; }
+  /// Time since which a field is not stepped any more [s]; nothing while all are.
+  [[nodiscard]] virtual std::optional<double> settled_at() const noexcept { return std::nullopt; }
+  /// Steps every field again, from t on. Integrators call it when they start.
+  virtual void restart(double /*t*/) {}
 
  protected:
   Rhs(std::size_t size, RhsTraits traits, std::vector<FieldView> fields)
@@ -114,17 +144,21 @@ class Rhs {
   Rhs& operator=(const Rhs&) = delete;
 
   std::uint64_t values_version_ = 1, pattern_version_ = 1;
+  std::uint64_t networks_swept_ = 1;  ///< by one stage
+  void count_into(RhsCounters& counters) noexcept { counters_ = &counters; }
+  [[nodiscard]] RhsCounters& mutable_counters() noexcept { return *counters_; }
 
  private:
   virtual void do_stage(double t, const Stage& stage, std::span<double> out) = 0;
   virtual void do_linear_stage(const Stage& stage, std::span<double> out) = 0;
+  virtual void do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) = 0;
   virtual void do_jacobian(double t, std::span<const double> y, std::span<double> values) = 0;
-  [[nodiscard]] virtual SparsePattern build_pattern() const = 0;
+  [[nodiscard]] virtual SparsePattern build_pattern() = 0;
 
   Reduction reduction_;
   RhsTraits traits_;
   std::vector<FieldView> fields_;
-  RhsCounters counters_;
+  RhsCounters own_counters_, *counters_ = &own_counters_;
   SparsePattern pattern_;
 };
 

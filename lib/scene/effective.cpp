@@ -71,14 +71,61 @@ double box_area(const Packing& packing, int axis) {
   return area[static_cast<std::size_t>(axis)];
 }
 
+/// Steady values on all nodes, of fixed values alone. Throws NumericalError.
+std::vector<double> steady_values(const Graph& graph) {
+  Graph bare = graph;
+  bare.source.assign(graph.nodes(), 0.0);
+  bare.tabled_sources.clear();
+  bare.convection.clear();
+  bare.radiation.clear();
+  const Network network = build_network(bare, steady_roles(graph));
+  const auto solution = steady_state(network);
+  std::vector<double> value(graph.nodes(), 0.0);
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    const auto row = network.row_of_node[node];
+    value[node] = graph.is_fixed[node] ? graph.fixed_value[node]
+                  : row >= 0           ? solution[static_cast<std::size_t>(row)]
+                                       : graph.initial[node];
+  }
+  return value;
+}
+
+std::set<double> fixed_levels(const Graph& graph) {
+  std::set<double> levels;
+  for (std::size_t node = 0; node < graph.nodes(); ++node)
+    if (graph.is_fixed[node]) levels.insert(graph.fixed_value[node]);
+  return levels;
+}
+
 }  // namespace
+
+std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field) {
+  const auto& graph = field.graph;
+  const auto levels = fixed_levels(graph);
+  if (field.name != "potential" || levels.size() != 2) return std::nullopt;
+  const double low = *levels.begin(), high = *levels.rbegin();
+  try {
+    const auto value = steady_values(graph);
+    ElectrodeFacts facts{.voltage = high - low,
+                         .current_in = flow_from(graph, value, high),
+                         .current_out = -flow_from(graph, value, low)};
+    facts.resistance =
+        facts.current_in > 0 ? facts.voltage / facts.current_in : std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < graph.edges(); ++k) {
+      const double dv =
+          value[static_cast<std::size_t>(graph.j[k])] - value[static_cast<std::size_t>(graph.i[k])];
+      facts.joule_heat += graph.conductance[k] * dv * dv;
+    }
+    return facts;
+  } catch (const NumericalError&) {
+    return std::nullopt;
+  }
+}
 
 EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field) {
   EffectiveConductivity out;
   const auto& graph = field.graph;
-  std::set<double> levels;
-  for (std::size_t node = 0; node < graph.nodes(); ++node)
-    if (graph.is_fixed[node]) levels.insert(graph.fixed_value[node]);
+  const auto levels = fixed_levels(graph);
   if (!scene.packed)
     out.note = "a network without coordinates has no cross-section";
   else if (levels.size() != 2)
@@ -93,18 +140,7 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
     return out;
   }
   try {
-    const auto roles = steady_roles(graph);
-    Graph without_sources = graph;
-    without_sources.source.assign(graph.nodes(), 0.0);
-    const Network network = build_network(without_sources, roles);
-    const auto solution = steady_state(network);
-    std::vector<double> value(graph.nodes(), 0.0);
-    for (std::size_t node = 0; node < graph.nodes(); ++node) {
-      const auto row = network.row_of_node[node];
-      value[node] = graph.is_fixed[node] ? graph.fixed_value[node]
-                    : row >= 0           ? solution[static_cast<std::size_t>(row)]
-                                         : 0;
-    }
+    const auto value = steady_values(graph);
     out.flow = flow_from(graph, value, high);
   } catch (const NumericalError& error) {
     out.note = error.what();

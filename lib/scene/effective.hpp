@@ -16,6 +16,18 @@ struct EffectiveConductivity {
   std::string note;             ///< why there is no value, or what was assumed
 };
 
+/// What a steady current between two electrodes does, at the conductivities' reference values.
+struct ElectrodeFacts {
+  double voltage = 0;                      ///< V, between the two fixed potentials
+  double current_in = 0, current_out = 0;  ///< A, at the higher and at the lower potential
+  double resistance = 0;                   ///< Ohm; infinite when no current flows
+  double joule_heat = 0;                   ///< W, summed over the branches; equals voltage times current
+};
+
+/// Facts of the electric field between exactly two distinct fixed potentials without current sources; nothing
+/// for other fields. Throws nothing: a network that cannot be solved has no facts.
+[[nodiscard]] std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field);
+
 /// k = q L / (A dT) from a steady solve. Needs a packing and exactly two distinct fixed values.
 [[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field);
 

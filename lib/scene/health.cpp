@@ -55,8 +55,8 @@ double lumping_ratio(const Packing& packing, const FieldScene& field) {
   std::vector<double> ratio;
   for (std::size_t k = 0; k < field.graph.edges(); ++k) {
     const auto i = static_cast<std::size_t>(field.graph.i[k]), j = static_cast<std::size_t>(field.graph.j[k]);
-    const double kappa_i = field.conductivity[static_cast<std::size_t>(packing.material[i])];
-    const double kappa_j = field.conductivity[static_cast<std::size_t>(packing.material[j])];
+    const double kappa_i = field.laws.of_node(static_cast<std::int32_t>(i)).value;
+    const double kappa_j = field.laws.of_node(static_cast<std::int32_t>(j)).value;
     const double kappa = 2 * kappa_i * kappa_j / (kappa_i + kappa_j);
     const double radius = std::min(packing.radius[i], packing.radius[j]);
     ratio.push_back(field.graph.conductance[k] / (std::numbers::pi * kappa * radius));
@@ -117,11 +117,7 @@ void find_lambda_min(const Network& network, FieldHealth& health) {
   }
 }
 
-FieldHealth assess_field(const Scene& scene, const FieldScene& field) {
-  FieldHealth health;
-  health.name = field.name;
-  health.unit = field.unit;
-  count_nodes(field, health);
+void assess_stiffness(const FieldScene& field, FieldHealth& health) {
   health.pair_step_bare = min_pair_step(field.graph, field.roles, field.bare);
   health.pair_step_full = min_pair_step(field.graph, field.roles, field.graph.conductance);
   const Network network = build_network(field.graph, field.roles);
@@ -133,10 +129,20 @@ FieldHealth assess_field(const Scene& scene, const FieldScene& field) {
   const auto estimate = estimate_spectral_radius(rhs, {.tolerance = 1e-5, .fewest = 20, .most = 400});
   health.lambda_max = estimate.largest;
   health.lambda_max_residual = estimate.residual;
+}
+
+FieldHealth assess_field(const Scene& scene, const FieldScene& field) {
+  FieldHealth health;
+  health.name = field.name;
+  health.unit = field.unit;
+  health.steady = field.steady;
+  count_nodes(field, health);
   if (scene.packed) health.lumping_median = lumping_ratio(scene.packed->packing, field);
   const auto effective = effective_conductivity(scene, field);
   health.effective_conductivity = effective.value;
   health.effective_note = effective.note;
+  health.electrodes = electrode_facts(field);
+  if (!field.steady) assess_stiffness(field, health);
   return health;
 }
 

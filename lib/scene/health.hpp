@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "scene/effective.hpp"
 #include "scene/scene.hpp"
 
 namespace superstep {
 
 struct FieldHealth {
   std::string name, unit;
+  bool steady = false;  ///< solved for: it has no capacities, so that nothing below is said of stiffness
   std::size_t nodes = 0, edges = 0, free = 0, fixed = 0, idle = 0;
   std::size_t components = 0, floating = 0, idle_clusters = 0, isolated = 0;
   double coordination_mean = 0;
@@ -25,6 +27,7 @@ struct FieldHealth {
   std::string lambda_min_note;
   std::optional<double> effective_conductivity;     ///< W/(m K) or S/m
   std::string effective_note;                       ///< why there is none
+  std::optional<ElectrodeFacts> electrodes;         ///< of a potential between two electrodes
   double conductance_min = 0, conductance_max = 0;  ///< W/K or S
   std::optional<double>
       lumping_median;  ///< of K_ij / (pi kappa R_min): not small means that lumping is coarse

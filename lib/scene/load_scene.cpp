@@ -5,17 +5,19 @@
 
 #include "core/error.hpp"
 #include "core/toml.hpp"
-#include "rhs/network_rhs.hpp"
+#include "scene/build_rhs.hpp"
 #include "scene/materials.hpp"
 #include "scene/probe.hpp"
 #include "scene/read_field.hpp"
 #include "scene/read_packing_scene.hpp"
-#include "scene/roles.hpp"
 #include "scene/scene.hpp"
 #include "scene/warnings.hpp"
 
 namespace superstep {
 namespace {
+
+constexpr double default_settle_tolerance = 1e-9;
+constexpr double default_resolve_change = 1e-6;
 
 void read_times(TomlTable& root, Scene& scene) {
   scene.t_end = root.positive("t_end", "s");
@@ -69,68 +71,63 @@ void read_direct_network(TomlTable& root, TomlTable& network, Scene& scene) {
   scene.fields.push_back(std::move(field));
 }
 
-void read_particles(TomlTable& root, Scene& scene) {
+bool is_steady(TomlTable& electric) {
+  const auto mode = electric.find("mode");
+  if (!mode) return false;
+  const std::string name = mode->string();
+  if (name != "transient" && name != "steady") mode->reject("it must be \"transient\" or \"steady\"");
+  return name == "steady";
+}
+
+double tolerance(TomlTable& table, const char* key, double fallback) {
+  const auto value = table.find(key);
+  if (!value) return fallback;
+  if (!(value->number() >= 0 && value->number() < 1)) value->reject("it must be >= 0 and < 1");
+  return value->number();
+}
+
+Coupling read_coupling(TomlTable& root, bool both_fields) {
+  Coupling coupling{.joule_heat = both_fields};
+  const auto value = root.find("coupling");
+  if (!value) return coupling;
+  if (!both_fields) value->reject("there is something to couple only with [thermal] and [electric]");
+  TomlTable table = value->table();
+  if (const auto joule_heat = table.find("joule_heat")) coupling.joule_heat = joule_heat->boolean();
+  table.finish();
+  return coupling;
+}
+
+void require_temperature(const TomlTable& electric, const FieldScene& potential) {
+  for (const auto& law : potential.laws.of_material)
+    if (law.varies())
+      throw InputError(fmt::format(
+          "{}: the conductivity follows temperature, and the case has no [thermal]; add it, or give a number",
+          electric.where()));
+}
+
+Coupling read_particles(TomlTable& root, Scene& scene) {
   auto thermal = root.table("thermal"), electric = root.table("electric");
-  if (thermal && electric)
-    throw InputError(
-        fmt::format("{}: a case with [thermal] and [electric] needs coupling, which this version does not "
-                    "offer; keep one of them",
-                    electric->where()));
   if (!thermal && !electric)
     throw InputError(fmt::format("{}: neither [thermal] nor [electric] is there; give one field to integrate",
                                  root.where()));
   PackingInput input = read_packing_scene(root);
   Materials materials(root, input.scene.packing);
-  if (thermal) {
-    scene.fields.push_back(read_field(thermal_kind(), *thermal, input, materials));
-  } else {
-    if (const auto mode = electric->find("mode"); mode && mode->string() != "transient")
-      mode->reject("it must be \"transient\"");
-    scene.fields.push_back(read_field(electric_kind(), *electric, input, materials));
+  Coupling coupling = read_coupling(root, thermal && electric);
+  if (electric) {
+    const bool steady = is_steady(*electric);
+    coupling.settle_tolerance = tolerance(*electric, "settle_tolerance", default_settle_tolerance);
+    coupling.resolve_change = tolerance(*electric, "resolve_change", default_resolve_change);
+    scene.fields.push_back(read_field(electric_kind(), *electric, input, materials, steady));
+    if (!thermal) require_temperature(*electric, scene.fields.back());
+    if (!thermal && steady && !scene.fields.back().graph.tables.empty())
+      throw InputError(fmt::format(
+          "{}: a steady potential alone has one solution, so that nothing in it can follow a table of time; "
+          "give numbers, or choose mode = \"transient\"",
+          electric->where()));
   }
+  if (thermal) scene.fields.push_back(read_field(thermal_kind(), *thermal, input, materials, false));
   scene.packed = std::move(input.scene);
-}
-
-/// Range of everything that the field starts from or is held at.
-void set_range(FieldScene& field) {
-  bool first = true;
-  for (std::size_t node = 0; node < field.graph.nodes(); ++node) {
-    const double value =
-        field.graph.is_fixed[node] ? field.graph.fixed_value[node] : field.graph.initial[node];
-    field.low = first ? value : std::min(field.low, value);
-    field.high = first ? value : std::max(field.high, value);
-    first = false;
-  }
-}
-
-void build_rhs(const std::string& where, Scene& scene) {
-  auto& field = scene.fields.front();
-  RoleReport report = assign_roles(field.graph, where);
-  field.roles = std::move(report.roles);
-  field.components = report.components;
-  field.idle_clusters = report.idle_clusters;
-  field.floating_clusters = report.floating;
-  set_range(field);
-  Network network = build_network(field.graph, field.roles);
-  for (const auto node : network.node_of_row)
-    scene.initial.push_back(field.graph.initial[static_cast<std::size_t>(node)]);
-  field.row_of_node = network.row_of_node;
-  const double pair_step = min_pair_step(field.graph, field.roles, field.bare);
-  scene.rhs = std::make_unique<NetworkRhs>(std::move(network), field.name, field.unit, pair_step);
-}
-
-void list_skips(Scene& scene) {
-  const auto& field = scene.fields.front();
-  const auto count = [&](NodeRole role) { return std::count(field.roles.begin(), field.roles.end(), role); };
-  if (const auto fixed = count(NodeRole::fixed); fixed > 0)
-    scene.skips.push_back({fmt::format("{} fixed nodes", fixed), "their values are known"});
-  if (field.idle_clusters > 0)
-    scene.skips.push_back({fmt::format("{} nodes in {} clusters", count(NodeRole::idle), field.idle_clusters),
-                           "their values are uniform and nothing acts on them"});
-  const bool thermal = field.name == "temperature";
-  scene.skips.push_back({thermal ? "electric field" : "temperature field",
-                         thermal ? "the case has no [electric]" : "the case has no [thermal]"});
-  if (!scene.packed) scene.skips.push_back({"neighbour search and necks", "the network is given directly"});
+  return coupling;
 }
 
 }  // namespace
@@ -146,36 +143,52 @@ Scene load_scene(const std::string& path) {
   read_bench(root, scene);
   read_published(root, scene);
   const auto probe = root.find("probe");
+  Coupling coupling;
   if (auto network = root.table("network"))
     read_direct_network(root, *network, scene);
   else
-    read_particles(root, scene);
+    coupling = read_particles(root, scene);
   root.finish();
-  build_rhs(path, scene);
+  build_rhs(path, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);
-  list_skips(scene);
   scene.warnings = range_warnings(scene);
   for (const auto& field : scene.fields)
     scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
   return scene;
 }
 
-std::vector<double> Scene::values_on_nodes(std::size_t field, std::span<const double> state) const {
+std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::span<const double> state) const {
+  if (fields[field].steady) return steady_values(field, t, state);
   const auto& graph = fields[field].graph;
   std::vector<double> values(graph.nodes());
   for (std::size_t node = 0; node < values.size(); ++node) {
     const auto entry = entry_of_node(field, static_cast<std::int32_t>(node));
     values[node] = entry >= 0             ? state[static_cast<std::size_t>(entry)]
-                   : graph.is_fixed[node] ? graph.fixed_value[node]
+                   : graph.is_fixed[node] ? graph.fixed_at(node, t)
+                                          : graph.initial[node];
+  }
+  return values;
+}
+
+std::vector<double> Scene::steady_values(std::size_t field, double t, std::span<const double> state) const {
+  if (!moving_potential) return steady_potential;
+  const auto& graph = fields[field].graph;
+  const auto rows = moving_potential->steady_potential(t, state);
+  std::vector<double> values(graph.nodes());
+  for (std::size_t node = 0; node < values.size(); ++node) {
+    const auto row = fields[field].row_of_node[node];
+    values[node] = row >= 0               ? rows[static_cast<std::size_t>(row)]
+                   : graph.is_fixed[node] ? graph.fixed_at(node, t)
                                           : graph.initial[node];
   }
   return values;
 }
 
 std::ptrdiff_t Scene::entry_of_node(std::size_t field, std::int32_t node) const {
-  const auto row = fields[field].row_of_node[static_cast<std::size_t>(node)];
-  if (row < 0) return -1;
-  const auto& view = rhs->fields()[field];
+  const auto& described = fields[field];
+  const auto row = described.row_of_node[static_cast<std::size_t>(node)];
+  if (row < 0 || described.view < 0) return -1;
+  const auto& view = rhs->fields()[static_cast<std::size_t>(described.view)];
   return static_cast<std::ptrdiff_t>(view.offset + static_cast<std::size_t>(row) * view.stride);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "scene/read_conductivity.hpp"
 
 namespace superstep {
 namespace {
@@ -19,8 +20,11 @@ Interface read_interface(TomlTable table) {
 }
 
 Conduction read_conduction(TomlTable& table, const std::string& capacity_key) {
-  return {.conductivity = table.positive("conductivity", "W/(m K) or S/m"),
-          .capacity = table.positive(capacity_key, capacity_key == "specific_heat" ? "J/(kg K)" : "F/kg")};
+  Conduction conduction{.conductivity = read_conductivity(
+                            table.require("conductivity", "it is a number or a law of temperature"))};
+  if (!capacity_key.empty())
+    conduction.capacity = table.positive(capacity_key, capacity_key == "specific_heat" ? "J/(kg K)" : "F/kg");
+  return conduction;
 }
 
 std::int32_t material_index(const TomlValue& name, const std::vector<std::string>& names) {
@@ -85,8 +89,8 @@ FieldMaterials Materials::field(const std::string& key, TomlTable& field_table,
   for (auto& table : tables_) {
     auto field = table.table(key);
     if (!field)
-      throw InputError(fmt::format("{}: '{}' is missing; every material needs its conductivity and {}",
-                                   table.where(), key, capacity_key));
+      throw InputError(fmt::format("{}: '{}' is missing; every material needs its conductivity{}",
+                                   table.where(), key, capacity_key.empty() ? "" : " and " + capacity_key));
     out.of_material.push_back(read_conduction(*field, capacity_key));
   }
   for (auto& table : interfaces_) {

@@ -9,13 +9,14 @@
 #include "contact/conductance.hpp"
 #include "core/toml.hpp"
 #include "packing/packing.hpp"
+#include "rhs/conductivity_law.hpp"
 
 namespace superstep {
 
 /// How one field conducts in one material.
 struct Conduction {
-  double conductivity = 0;  ///< W/(m K) or S/m, > 0
-  double capacity = 0;      ///< J/(kg K) or F/kg, > 0
+  ConductivityLaw conductivity;  ///< W/(m K) or S/m
+  double capacity = 1;           ///< J/(kg K) or F/kg, > 0; without meaning in a steady field
 };
 
 /// One field's conduction in every material of the packing.
@@ -38,7 +39,7 @@ class Materials {
     return density_[static_cast<std::size_t>(material)];
   }
   /// Reads one field (`key` = "thermal" or "electric") from its table and from the materials.
-  ///   capacity_key  "specific_heat" or "specific_capacity"
+  ///   capacity_key  "specific_heat" or "specific_capacity"; empty = the field is steady and has none
   [[nodiscard]] FieldMaterials field(const std::string& key, TomlTable& field_table,
                                      const std::string& capacity_key);
 

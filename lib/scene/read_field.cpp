@@ -7,7 +7,7 @@
 
 #include "contact/conductance.hpp"
 #include "core/error.hpp"
-#include "scene/selection.hpp"
+#include "scene/read_inputs.hpp"
 #include "scene/warnings.hpp"
 
 namespace superstep {
@@ -35,8 +35,8 @@ void set_conductances(const PackingInput& input, const FieldMaterials& field, Fi
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const auto i = static_cast<std::size_t>(contacts.i[k]), j = static_cast<std::size_t>(contacts.j[k]);
     const auto a = packing.material[i], b = packing.material[j];
-    const double kappa_i = field.of_material[static_cast<std::size_t>(a)].conductivity;
-    const double kappa_j = field.of_material[static_cast<std::size_t>(b)].conductivity;
+    const double kappa_i = field.of_material[static_cast<std::size_t>(a)].conductivity.value;
+    const double kappa_j = field.of_material[static_cast<std::size_t>(b)].conductivity.value;
     const double neck = contacts.neck_radius[k];
     if (input.pipe) {
       const double distance = norm(packing.centre[i] - packing.centre[j]);
@@ -46,41 +46,6 @@ void set_conductances(const PackingInput& input, const FieldMaterials& field, Fi
       graph.conductance.push_back(series_conductance(kappa_i, kappa_j, neck, field.interface(a, b)));
       scene.bare.push_back(series_conductance(kappa_i, kappa_j, neck, Interface{}));
     }
-  }
-}
-
-void read_fixed(TomlTable& table, const Packing& packing, double unit, Graph& graph) {
-  const auto fixed = table.find("fixed");
-  if (!fixed) return;
-  for (const auto& entry : fixed->array()) {
-    TomlTable selection = entry.table();
-    const auto where = selection.require("where", "it selects particles");
-    const double value = selection.require("value", "it is the fixed value").number();
-    selection.finish();
-    const auto chosen = select_particles(where, packing, unit);
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      if (!chosen[k]) continue;
-      if (graph.is_fixed[k])
-        where.reject(fmt::format(
-            "particle {} is already in an earlier selection; selections must not overlap", packing.id[k]));
-      graph.is_fixed[k] = 1;
-      graph.fixed_value[k] = value;
-    }
-  }
-}
-
-void read_sources(TomlTable& table, const Packing& packing, double unit, Graph& graph) {
-  const auto source = table.find("source");
-  if (!source) return;
-  for (const auto& entry : source->array()) {
-    TomlTable selection = entry.table();
-    const auto where = selection.require("where", "it selects particles");
-    const double value =
-        selection.require("value", "it is the source of each selected particle [W or A]").number();
-    selection.finish();
-    const auto chosen = select_particles(where, packing, unit);
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-      if (chosen[k]) graph.source[k] += value;
   }
 }
 
@@ -97,14 +62,17 @@ const FieldKind& electric_kind() {
 }
 
 FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInput& input,
-                      Materials& materials) {
+                      Materials& materials, bool steady) {
   const auto& packing = input.scene.packing;
   FieldScene scene;
   scene.name = kind.name;
   scene.unit = kind.unit;
-  const FieldMaterials field = materials.field(kind.table, table, kind.capacity_key);
+  scene.steady = steady;
+  const FieldMaterials field = materials.field(kind.table, table, steady ? "" : kind.capacity_key);
   scene.warnings = material_warnings(kind, field, materials);
-  for (const auto& conduction : field.of_material) scene.conductivity.push_back(conduction.conductivity);
+  scene.laws.material = packing.material;
+  scene.laws.mean = input.pipe ? ConductanceMean::arithmetic : ConductanceMean::harmonic;
+  for (const auto& conduction : field.of_material) scene.laws.of_material.push_back(conduction.conductivity);
   auto& graph = scene.graph;
   graph.id = packing.id;
   graph.source.assign(packing.size(), 0.0);
@@ -113,8 +81,7 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   graph.is_fixed.assign(packing.size(), 0);
   set_capacities(packing, materials, field, graph);
   set_conductances(input, field, scene);
-  read_fixed(table, packing, input.unit, graph);
-  read_sources(table, packing, input.unit, graph);
+  read_inputs(table, packing, input.unit, kind.name == thermal_kind().name, graph);
   return scene;
 }
 

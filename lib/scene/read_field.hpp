@@ -19,9 +19,10 @@ struct FieldKind {
 [[nodiscard]] const FieldKind& thermal_kind();
 [[nodiscard]] const FieldKind& electric_kind();
 
-/// Reads one field's table and builds its graph: capacities, conductances, initial and fixed values, sources.
-/// Throws InputError.
+/// Reads one field's table and builds its graph: capacities, conductances at the laws' reference values,
+/// initial and fixed values, sources and what else acts on it. Throws InputError.
+///   steady  the field is solved for, so that it has no capacity
 [[nodiscard]] FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInput& input,
-                                    Materials& materials);
+                                    Materials& materials, bool steady);
 
 }  // namespace superstep

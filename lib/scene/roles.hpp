@@ -1,6 +1,7 @@
 #pragma once
 /// Which nodes are integrated, which are known, and which can be left alone.
 
+#include <span>
 #include <vector>
 
 #include "network/graph.hpp"
@@ -9,15 +10,24 @@
 namespace superstep {
 
 struct RoleReport {
-  std::vector<NodeRole> roles;    ///< [nodes]
-  std::size_t components = 0;     ///< of the whole graph
+  std::vector<NodeRole> roles;  ///< [nodes]
+  std::vector<char> live;      ///< [nodes] 1 where the node's component is not idle: something may flow there
+  std::size_t components = 0;  ///< of the whole graph
   std::size_t idle_clusters = 0;  ///< components in which nothing can change
   std::size_t floating = 0;       ///< components without a fixed node that are integrated
 };
 
-/// A component is idle when all its initial and fixed values are equal and nothing acts on it. When that
-/// would leave nothing to integrate, idle components are integrated all the same. Throws InputError
-/// (beginning with `where`) when every node is fixed.
-[[nodiscard]] RoleReport assign_roles(const Graph& graph, const std::string& where);
+/// A component is idle when all its initial and fixed values are equal and nothing acts on it: no source, no
+/// ambient of another value, nothing that changes in time. When that would leave nothing to integrate, idle
+/// components are integrated all the same.
+///   acted_on  [nodes] or empty: nodes that something outside the graph acts on
+/// Throws InputError (beginning with `where`) when every node is fixed.
+[[nodiscard]] RoleReport assign_roles(const Graph& graph, const std::string& where,
+                                      std::span<const char> acted_on = {});
+
+/// Roles for a steady solve: a component without a fixed node has no steady state of its own and is left out;
+/// floating counts those. Live are components in which a current flows. Throws InputError when a source feeds
+/// a component without a fixed node, or when fixed values differ and yet no component holds two of them.
+[[nodiscard]] RoleReport assign_steady_roles(const Graph& graph, const std::string& where);
 
 }  // namespace superstep

@@ -13,6 +13,7 @@
 #include "contact/neck.hpp"
 #include "network/network.hpp"
 #include "packing/packing.hpp"
+#include "rhs/nonlinear_rhs.hpp"
 #include "rhs/rhs.hpp"
 
 namespace superstep {
@@ -49,10 +50,12 @@ struct FieldScene {
   std::string name;                       ///< "temperature" or "potential"
   std::string unit;                       ///< "K" or "V"
   Graph graph;                            ///< the user's nodes and edges
-  std::vector<double> conductivity;       ///< [materials] W/(m K) or S/m; empty for a network given directly
+  bool steady = false;                    ///< solved for, not stepped: no part of the state
+  ConductionLaws laws;                    ///< conductivities; without materials for a network given directly
   std::vector<NodeRole> roles;            ///< [nodes]
   std::vector<double> bare;               ///< [edges] conductance from particle contributions only
   std::vector<std::int32_t> row_of_node;  ///< [nodes] row in the field's network, -1 for fixed and idle nodes
+  std::ptrdiff_t view = -1;               ///< index among the right-hand side's fields; -1 = not in the state
   std::size_t components = 0;             ///< connected components of the whole graph
   std::size_t idle_clusters = 0;          ///< components in which nothing can change
   std::size_t floating_clusters = 0;      ///< components without a fixed node that are integrated
@@ -74,7 +77,9 @@ struct Scene {
   std::optional<PackingScene> packed;
   std::vector<FieldScene> fields;
   std::unique_ptr<Rhs> rhs;
-  std::vector<double> initial;  ///< [rhs->size()] state at t = 0
+  std::vector<double> initial;               ///< [rhs->size()] state at t = 0
+  std::vector<double> steady_potential;      ///< [nodes] V, of a steady potential that nothing moves
+  NonlinearRhs* moving_potential = nullptr;  ///< solves for a steady potential that follows the state
   std::vector<Probe> probes;
   BenchSettings bench;
   std::map<std::string, double> published;  ///< figures of the source to print beside ours
@@ -82,10 +87,15 @@ struct Scene {
   std::vector<Skip> skips;
 
   [[nodiscard]] std::size_t nodes() const noexcept { return fields.front().graph.nodes(); }
-  /// Values of one field on all nodes in the user's order [nodes]: computed, fixed and idle ones.
-  [[nodiscard]] std::vector<double> values_on_nodes(std::size_t field, std::span<const double> state) const;
+  /// Values of one field at time t on all nodes in the user's order [nodes]: computed, fixed and idle ones.
+  [[nodiscard]] std::vector<double> values_on_nodes(std::size_t field, double t,
+                                                    std::span<const double> state) const;
   /// Entry of the state that belongs to a node, or -1 when its value is fixed or idle.
   [[nodiscard]] std::ptrdiff_t entry_of_node(std::size_t field, std::int32_t node) const;
+
+ private:
+  [[nodiscard]] std::vector<double> steady_values(std::size_t field, double t,
+                                                  std::span<const double> state) const;
 };
 
 /// Reads a case file and everything that it names, and builds the scene. Throws InputError.

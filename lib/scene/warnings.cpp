@@ -35,10 +35,10 @@ std::vector<std::string> range_warnings(const Scene& scene) {
                                 packed.neck_report.limited, packed.contacts.size()));
   }
   for (const auto& field : scene.fields)
-    if (field.floating_clusters > 0)
-      out.push_back(
-          fmt::format("{} clusters without a fixed {} are integrated; they keep their heat or charge",
-                      field.floating_clusters, field.name));
+    if (field.floating_clusters > 0 && !field.steady && field.graph.convection.empty() &&
+        field.graph.radiation.empty())
+      out.push_back(fmt::format("{} cluster(s) without a fixed {} are integrated; what enters them stays",
+                                field.floating_clusters, field.name));
   return out;
 }
 
@@ -53,9 +53,9 @@ std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMat
     warn("density", materials.density(static_cast<std::int32_t>(k)), 500, 2e4, "kg/m3");
     if (thermal) {
       warn("specific heat", field.of_material[k].capacity, 100, 5000, "J/(kg K)");
-      warn("thermal conductivity", field.of_material[k].conductivity, 0.02, 400, "W/(m K)");
+      warn("thermal conductivity", field.of_material[k].conductivity.value, 0.02, 400, "W/(m K)");
     } else {
-      warn("electric conductivity", field.of_material[k].conductivity, 1e-12, 6e7, "S/m");
+      warn("electric conductivity", field.of_material[k].conductivity.value, 1e-12, 6e7, "S/m");
     }
   }
   const auto warn_interface = [&](const Interface& interface) {

@@ -10,6 +10,7 @@
 #include "bench/run_one.hpp"
 #include "integrators/registry.hpp"
 #include "integrators/staggered/sintering_case.hpp"
+#include "rhs/one_way.hpp"
 #include "scene/scene.hpp"
 
 namespace superstep {
@@ -25,6 +26,8 @@ std::vector<std::string> case_files() {
   return files;
 }
 
+constexpr std::size_t large = 20'000;  // unknowns; such a case is run up to its first output time
+
 /// States at the output times; empty when the method did not end well.
 std::vector<std::vector<double>> states(const Scene& scene, const std::string& spec) {
   std::vector<std::vector<double>> out;
@@ -33,8 +36,22 @@ std::vector<std::vector<double>> states(const Scene& scene, const std::string& s
     out.emplace_back(state.begin(), state.end());
   };
   const RunResult run = run_one(scene, spec, request);
-  EXPECT_TRUE(run.outcome.ok()) << spec << ": " << run.outcome.reason;
+  EXPECT_TRUE(run.outcome.ok() || (run.outcome.status == Status::refused && !run.outcome.reason.empty()))
+      << spec << ": " << run.outcome.reason;
   return out;
+}
+
+/// Span of a field [K or V]: what it starts from and is held at, and what the reference computed.
+double span_of(const Scene& scene, const FieldView& field,
+               const std::vector<std::vector<double>>& reference) {
+  const auto& described = scene_field(scene, field.name);
+  double low = described.low, high = described.high;
+  for (const auto& state : reference)
+    for (std::size_t i = field.offset; i < field.offset + field.count; ++i) {
+      low = std::min(low, state[i]);
+      high = std::max(high, state[i]);
+    }
+  return high - low;
 }
 
 class EveryCase : public ::testing::TestWithParam<std::string> {};
@@ -43,9 +60,13 @@ INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, ::testing::ValuesIn(case_files()),
                          [](const auto& file) { return std::filesystem::path(file.param).stem().string(); });
 
 TEST_P(EveryCase, HasOneAnswer) {
-  const Scene scene = load_scene(GetParam());
-  const double span = scene.fields.front().high - scene.fields.front().low;
-  const auto reference = states(scene, "exponential:rtol=1e-13");
+  Scene scene = load_scene(GetParam());
+  if (scene.rhs->size() > large) {
+    scene.output_times.resize(1);
+    scene.t_end = scene.output_times.front();
+  }
+  const auto reference =
+      states(scene, exactly_solvable(*scene.rhs) ? "exponential:rtol=1e-13" : "cvode:rtol=1e-9");
   constexpr double rtol = 1e-4;
   for (const auto& entry : integrators()) {
     // Adaptive methods at one tolerance; those without one at their finest usual step.
@@ -53,10 +74,13 @@ TEST_P(EveryCase, HasOneAnswer) {
                              : entry.name == "sts" ? "sts:n=5,nu=0.05"
                                                    : entry.name;
     const auto result = states(scene, spec);
+    if (result.empty()) continue;  // refused, with a reason
     ASSERT_EQ(result.size(), reference.size()) << spec;
     double worst = 0;
-    for (std::size_t k = 0; k < result.size(); ++k)
-      worst = std::max(worst, deviation(scene.rhs->fields().front(), result[k], reference[k]).rms / span);
+    for (const auto& field : scene.rhs->fields())
+      for (std::size_t k = 0; k < result.size(); ++k)
+        worst =
+            std::max(worst, deviation(field, result[k], reference[k]).rms / span_of(scene, field, reference));
     // Local control adds up to some times rtol; first-order fixed steps are as good as a fraction of the
     // first output.
     EXPECT_LT(worst, entry.adaptive ? 10 * rtol : 5e-2) << spec;

@@ -15,6 +15,11 @@ TEST(ProgressText, SaysOnlyTheTimeWhileNothingIsKnown) {
   EXPECT_EQ(progress_text(0, 1, 0, 2.5), "2.5 s");
 }
 
+TEST(Progress, OnlyAnEnabledOneWatches) {
+  EXPECT_EQ(Progress(false).watched(), nullptr);
+  EXPECT_NE(Progress(true).watched(), nullptr);
+}
+
 TEST(Progress, ADisabledOneIsSilent) {
   testing::internal::CaptureStderr();
   {

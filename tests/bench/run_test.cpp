@@ -69,7 +69,7 @@ TEST_F(RodRun, StopsWhenAsked) {
 
 TEST_F(RodRun, FinalCsvHoldsEveryNodeInTheUsersOrder) {
   (void)run("forward-euler");
-  const auto lines = lines_of(final_csv(scene_, last_));
+  const auto lines = lines_of(final_csv(scene_, scene_.t_end, last_));
   ASSERT_EQ(lines.size(), 21U);
   EXPECT_EQ(lines[0], "id,temperature");
   EXPECT_EQ(lines[1], "1,0");

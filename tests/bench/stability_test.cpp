@@ -62,7 +62,8 @@ TEST(StabilityLab, EveryMethodBehavesAsItsTheorySays) {
 TEST(StabilityLab, LooksAtEveryFamily) {
   std::map<std::string, int> seen;
   for (const auto& method : rod_results().methods) ++seen[method.family];
-  for (const char* family : {"forward-euler", "sts", "rkc1", "rkc2", "rkl1", "rkl2", "rkg2", "trapezoidal"})
+  for (const char* family :
+       {"forward-euler", "sts", "rkc1", "rkc2", "rkl1", "rkl2", "rkg2", "rock4", "trapezoidal"})
     EXPECT_GT(seen[family], 0) << family;
 }
 
@@ -125,7 +126,7 @@ TEST(StabilityLab, WritesTheColumnsItPromises) {
       {"stability_sweeps.csv",
        "sweep,contrast,size_ratio,nu,n,nodes,networks,edge_over_true,gershgorin_over_true,bound_over_true,"
        "alpha_star,overshoot_forward_euler,overshoot_sts,overshoot_rkc1,overshoot_rkc2,overshoot_rkl1,"
-       "overshoot_rkl2,overshoot_rkg2,overshoot_trapezoidal_0.5,overshoot_trapezoidal_0.6,"
+       "overshoot_rkl2,overshoot_rkg2,overshoot_rock4,overshoot_trapezoidal_0.5,overshoot_trapezoidal_0.6,"
        "overshoot_trapezoidal_1"}};
   const auto tables = stability_tables(rod_results());
   ASSERT_EQ(tables.size(), headers.size());
@@ -141,7 +142,7 @@ TEST(StabilityLab, WritesTheColumnsItPromises) {
 TEST(StabilityLab, GivesAVerdictPerMethod) {
   std::map<std::string, Verdict::Grade> grades;
   for (const auto& verdict : rod_results().verdicts) grades[verdict.method] = verdict.grade;
-  EXPECT_EQ(grades.size(), 12u);
+  EXPECT_EQ(grades.size(), 13u);
   EXPECT_EQ(grades.at("sts, order natural"), Verdict::Grade::unsafe);
   EXPECT_EQ(grades.at("trapezoidal, phi = 1"), Verdict::Grade::safe);
   const std::string text = stability_text(rod_results(), false);
@@ -179,7 +180,7 @@ TEST(StabilityProgram, WritesFilesAndJson) {
   EXPECT_EQ(parsed.at("schema"), "superstep.stability");
   EXPECT_EQ(parsed.at("unknowns"), 18);
   EXPECT_EQ(parsed.at("methods").size(), rod_results().methods.size());
-  EXPECT_EQ(parsed.at("verdicts").size(), 12u);
+  EXPECT_EQ(parsed.at("verdicts").size(), 13u);
 }
 
 // ---- the instruments ----

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -80,7 +81,7 @@ Real rkc1_w0(int s) {
 struct FamilyCase {
   const char* name;
   const StabilisedFamily& (*family)();
-  Real (*closed_form)(int s, Real z);
+  Real (*closed_form)(int s, Real z);  ///< null: rock_test.cpp has its product form
 };
 
 const FamilyCase families[] = {
@@ -89,11 +90,13 @@ const FamilyCase families[] = {
     {"rkl1", rkl1_family, [](int s, Real z) { return first_order(legendre, s, 1, z); }},
     {"rkl2", rkl2_family, [](int s, Real z) { return second_order(legendre, s, 1, z); }},
     {"rkg2", rkg2_family, [](int s, Real z) { return second_order(gegenbauer, s, 1, z); }},
+    {"rock4", rock4_family, nullptr},
 };
 
 std::vector<int> stage_counts(const StabilisedFamily& family) {
   std::vector<int> counts;
-  for (int s = family.stage_step == 2 ? 3 : 2; s <= most_stages; s += family.stage_step) counts.push_back(s);
+  const int last = std::min(most_stages, family.most_stages);
+  for (int s = std::max(2, family.fewest_stages); s <= last; s += family.stage_step) counts.push_back(s);
   return counts;
 }
 
@@ -150,8 +153,12 @@ TEST_P(EveryFamily, MeetsItsOrderConditions) {
     const ThreeTermScheme scheme = family().scheme(s);
     EXPECT_NEAR(taylor_coefficient(scheme, 0), 1, 1e-12) << s;
     EXPECT_NEAR(taylor_coefficient(scheme, 1), 1, 1e-11) << s;
-    if (family().order == 2) {
+    if (family().order >= 2) {
       EXPECT_NEAR(taylor_coefficient(scheme, 2), 0.5, 1e-10) << s;
+      if (family().order == 4) {
+        EXPECT_NEAR(taylor_coefficient(scheme, 3), 1.0 / 6, 1e-10) << s;
+        EXPECT_NEAR(taylor_coefficient(scheme, 4), 1.0 / 24, 1e-10) << s;
+      }
     } else {
       EXPECT_LT(taylor_coefficient(scheme, 2), 0.5) << s;
     }
@@ -160,6 +167,7 @@ TEST_P(EveryFamily, MeetsItsOrderConditions) {
 }
 
 TEST_P(EveryFamily, IsItsClosedForm) {
+  if (!GetParam().closed_form) GTEST_SKIP() << "its polynomial has no closed form";
   for (const int s : stage_counts(family())) {
     const ThreeTermScheme scheme = family().scheme(s);
     // One rounding of z alone moves R by z |R'| epsilon <= 2 s^2 epsilon; s stages and their coefficients add
@@ -217,6 +225,7 @@ std::vector<OrderCase> order_cases() {
       {"rkl:step={}", 2, 0.05},
       {"rkl:order=1,step={}", 1, 0.02},
       {"rkg:step={}", 2, 0.05},
+      {"rock:step={}", 4, 0.2},
       {"trapezoidal:step={}", 2, 0.05},
       {"trapezoidal:solver=pcg,step={}", 2, 0.05},
       {"trapezoidal:phi=0.6,step={}", 1, 0.02},
@@ -227,6 +236,8 @@ std::vector<OrderCase> order_cases() {
     cases.push_back({fmt::format("rkc:order=1,stages={},step={{}}", stages), 1, 0.02});
     cases.push_back({fmt::format("rkl:order=1,stages={},step={{}}", stages), 1, 0.02});
   }
+  for (const int stages : {5, 6, 8, 13})
+    cases.push_back({fmt::format("rock:stages={},step={{}}", stages), 4, 0.1});
   for (const int stages : {3, 5, 9, 13}) {
     cases.push_back({fmt::format("rkl:stages={},step={{}}", stages), 2, 0.02});
     cases.push_back({fmt::format("rkg:stages={},step={{}}", stages), 2, 0.02});

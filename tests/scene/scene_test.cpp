@@ -47,7 +47,7 @@ std::vector<double> integrate(const Scene& scene, const std::string& spec, doubl
   integrator->start(0, scene.initial);
   const Outcome outcome = integrator->advance(t);
   EXPECT_TRUE(outcome.ok()) << outcome.reason;
-  return scene.values_on_nodes(0, integrator->state());
+  return scene.values_on_nodes(0, t, integrator->state());
 }
 
 TEST(Cases, ChainHasItsClosedForm) {

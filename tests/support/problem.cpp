@@ -122,6 +122,15 @@ Plan Problem::plan(std::vector<double> output_times) const {
     range.low = std::min(range.low, value);
     range.high = std::max(range.high, value);
   }
+  for (const auto* exchanges : {&graph.convection, &graph.radiation})
+    for (const auto& exchange : *exchanges) {
+      range.low = std::min(range.low, exchange.ambient);
+      range.high = std::max(range.high, exchange.ambient);
+    }
+  for (const auto& table : graph.tables) {
+    range.low = std::min(range.low, table.lowest());
+    range.high = std::max(range.high, table.highest());
+  }
   Plan plan;
   plan.output_times = std::move(output_times);
   plan.ranges = {range};

@@ -1,0 +1,141 @@
+#include "rhs/field_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rhs/sweep.hpp"
+
+namespace superstep {
+namespace {
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+std::size_t at(std::int64_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+double fourth_power(double x) noexcept {
+  return (x * x) * (x * x);
+}
+
+double largest_magnitude(const TimeTable& table) noexcept {
+  return std::max(std::abs(table.lowest()), std::abs(table.highest()));
+}
+
+}  // namespace
+
+SpectralBounds spectral_bounds(const Network& network) {
+  const auto total = network.total_conductance(), ghost = network.ghost_conductance();
+  SpectralBounds bounds;
+  for (std::size_t i = 0; i < network.size(); ++i) {
+    const double capacity = network.capacity[i];
+    bounds.gershgorin = std::max(bounds.gershgorin, (2 * total[i] - ghost[i]) / capacity);
+    bounds.edge = std::max(bounds.edge, total[i] / capacity);
+    for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k) {
+      const auto j = at(network.column[at(k)]);
+      bounds.edge = std::max(bounds.edge, total[i] / capacity + total[j] / network.capacity[j]);
+    }
+  }
+  return bounds;
+}
+
+FieldOperator::FieldOperator(Network network)
+    : network_(std::move(network)), rate_(network_.nonzeros()), ghost_value_(network_.ghost_value) {
+  set_conductances(network_.conductance, {});
+  std::vector<double> largest_rate(size(), 0.0);
+  for (std::size_t i = 0; i < size(); ++i) {
+    total_capacity_ += network_.capacity[i];
+    if (network_.source[i] == 0) continue;
+    sources_.push_back({static_cast<std::int32_t>(i), network_.source[i] / network_.capacity[i]});
+    largest_rate[i] += std::abs(sources_.back().rate);
+    total_source_ += network_.source[i];
+  }
+  for (const auto& source : network_.tabled_sources) {
+    const double largest = largest_magnitude(network_.tables[at(source.table)]);
+    largest_rate[at(source.node)] += largest / network_.capacity[at(source.node)];
+    total_source_ += largest;
+  }
+  for (const double rate : largest_rate) source_rate_ = std::max(source_rate_, rate);
+  constant_ghosts_ = std::all_of(network_.ghost_table.begin(), network_.ghost_table.end(),
+                                 [](std::int32_t table) { return table < 0; });
+  for (const auto& exchange : network_.radiation)
+    radiation_.push_back({exchange.node, exchange.table,
+                          exchange.coefficient / network_.capacity[at(exchange.node)],
+                          fourth_power(exchange.ambient)});
+}
+
+void FieldOperator::set_conductances(std::span<const double> edges, std::span<const double> ghost_edges) {
+  if (edges.data() != network_.conductance.data())
+    std::copy(edges.begin(), edges.end(), network_.conductance.begin());
+  for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
+  for (std::size_t i = 0; i < size(); ++i)
+    for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k)
+      rate_[at(k)] = network_.conductance[at(k)] / network_.capacity[i];
+  ghosts_.clear();
+  for (const auto& edge : network_.ghost_edges)
+    ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
+}
+
+std::span<const double> FieldOperator::ghost_values(double t) {
+  if (!constant_ghosts_ && t != ghost_time_) {
+    for (std::size_t g = 0; g < ghost_value_.size(); ++g)
+      if (const auto table = network_.ghost_table[g]; table >= 0)
+        ghost_value_[g] = network_.tables[at(table)].at(t);
+    ghost_time_ = t;
+  }
+  return ghost_value_;
+}
+
+double FieldOperator::ambient4(const RadiationRate& radiation, double t) const noexcept {
+  return radiation.table < 0 ? radiation.ambient4 : fourth_power(network_.tables[at(radiation.table)].at(t));
+}
+
+void FieldOperator::stage(double t, const Stage& stage, double* out) {
+  fused_sweep({network_.row_begin, network_.column, rate_}, stage, out);
+  const auto ghost_value = ghost_values(t);
+  for (const auto& ghost : ghosts_)
+    out[at(ghost.row)] += stage.d * ghost.rate * (ghost_value[at(ghost.ghost)] - stage.y1[ghost.row]);
+  for (const auto& source : sources_) out[at(source.row)] += stage.d * source.rate;
+  for (const auto& source : network_.tabled_sources)
+    out[at(source.node)] +=
+        stage.d * network_.tables[at(source.table)].at(t) / network_.capacity[at(source.node)];
+  for (const auto& radiation : radiation_)
+    out[at(radiation.row)] +=
+        stage.d * radiation.rate * (ambient4(radiation, t) - fourth_power(stage.y1[radiation.row]));
+}
+
+void FieldOperator::conduction_stage(const Stage& stage, double* out) const {
+  fused_sweep({network_.row_begin, network_.column, rate_}, stage, out);
+  for (const auto& ghost : ghosts_) out[at(ghost.row)] -= stage.d * ghost.rate * stage.y1[ghost.row];
+}
+
+double FieldOperator::inflow(double t, std::span<const double> y) {
+  const auto ghost_value = ghost_values(t);
+  double sum = 0;
+  for (const auto& edge : network_.ghost_edges)
+    sum += edge.conductance * (ghost_value[at(edge.ghost)] - y[at(edge.row)]);
+  for (const auto& source : sources_) sum += source.rate * network_.capacity[at(source.row)];
+  for (const auto& source : network_.tabled_sources) sum += network_.tables[at(source.table)].at(t);
+  for (const auto& radiation : radiation_)
+    sum += radiation.rate * network_.capacity[at(radiation.row)] *
+           (ambient4(radiation, t) - fourth_power(y[at(radiation.row)]));
+  return sum;
+}
+
+double FieldOperator::conduction_inflow(std::span<const double> v) const {
+  double sum = 0;
+  for (const auto& edge : network_.ghost_edges) sum -= edge.conductance * v[at(edge.row)];
+  return sum;
+}
+
+double FieldOperator::radiation_slope(std::span<const double> y) const noexcept {
+  double largest = 0;
+  for (const auto& radiation : radiation_) {
+    const double magnitude = std::abs(y[at(radiation.row)]);
+    largest = std::max(largest, 4 * radiation.rate * magnitude * magnitude * magnitude);
+  }
+  return largest;
+}
+
+}  // namespace superstep

@@ -1,0 +1,102 @@
+#pragma once
+/// One field on its network: conduction, fixed values, sources, convection and radiation.
+///   C_i dy_i/dt = sum_j K_ij (y_j - y_i) + sum_g K_ig (y_g(t) - y_i) + Q_i(t) + r_i (y_env(t)^4 - y_i^4)
+/// Source: Rojek & Nisar 2026, eqs 1, 3 and 5. What a scene does not have costs nothing: its list is empty.
+
+#include <vector>
+
+#include "network/network.hpp"
+#include "rhs/rhs.hpp"
+
+namespace superstep {
+
+/// The certified bounds of the spectral radius of C^-1 K [1/s]; both are rigorous.
+struct SpectralBounds {
+  double edge = 0;  ///< max over free edges of d_i/C_i + d_j/C_j (a node with only fixed neighbours: d_i/C_i)
+  double gershgorin = 0;  ///< max over nodes of (2 d_i - g_i)/C_i, g_i = conductance to fixed nodes
+  [[nodiscard]] double smallest() const noexcept { return edge < gershgorin ? edge : gershgorin; }
+};
+[[nodiscard]] SpectralBounds spectral_bounds(const Network& network);
+
+class FieldOperator {
+ public:
+  explicit FieldOperator(Network network);
+
+  [[nodiscard]] std::size_t size() const noexcept { return network_.size(); }
+  [[nodiscard]] const Network& network() const noexcept { return network_; }
+
+  /// out = stage with f = the whole right-hand side of the field at (t, y1). One sweep.
+  void stage(double t, const Stage& stage, double* out);
+  /// out = stage with f = conduction alone, fixed values taken as 0: J y1 without radiation. One sweep.
+  void conduction_stage(const Stage& stage, double* out) const;
+  /// Values of the ghosts at t [g].
+  [[nodiscard]] std::span<const double> ghost_values(double t);
+
+  /// Net flow into the field through fixed values, sources, convection and radiation [W or A].
+  [[nodiscard]] double inflow(double t, std::span<const double> y);
+  /// Derivative of `inflow` along v, without radiation.
+  [[nodiscard]] double conduction_inflow(std::span<const double> v) const;
+  /// Largest |rate| that sources alone can cause at a node [K/s or V/s].
+  [[nodiscard]] double largest_source_rate() const noexcept { return source_rate_; }
+  /// Sum of all sources [W or A], of tables their largest magnitude.
+  [[nodiscard]] double total_source() const noexcept { return total_source_; }
+  [[nodiscard]] double total_capacity() const noexcept { return total_capacity_; }
+  /// Largest slope of radiation, 4 r_i |y_i|^3/C_i [1/s].
+  [[nodiscard]] double radiation_slope(std::span<const double> y) const noexcept;
+
+  /// Calls add(row, column, value) for every contribution to df/dy [1/s]: several may meet in one place.
+  template <class Add>
+  void jacobian(std::span<const double> y, Add add) const;
+
+  /// New conductances on the same graph [nnz] and of the ghost edges [ghost edges], W/K or S.
+  void set_conductances(std::span<const double> edges, std::span<const double> ghost_edges);
+
+ private:
+  struct GhostRate {
+    std::int32_t row, ghost;
+    double rate;  ///< K/C [1/s]
+  };
+  struct SourceRate {
+    std::int32_t row;
+    double rate;  ///< Q/C [K/s or V/s]
+  };
+  struct RadiationRate {
+    std::int32_t row, table;
+    double rate;  ///< emissivity sigma_SB A/C [1/(K^3 s)]
+    double ambient4;
+  };
+
+  [[nodiscard]] double ambient4(const RadiationRate& radiation, double t) const noexcept;
+
+  Network network_;
+  std::vector<double> rate_;  ///< [nnz] K_ij/C_i [1/s]
+  std::vector<GhostRate> ghosts_;
+  std::vector<double> ghost_value_;  ///< [g] at `ghost_time_`
+  std::vector<SourceRate> sources_;
+  std::vector<RadiationRate> radiation_;
+  bool constant_ghosts_ = true;
+  double ghost_time_ = 0, source_rate_ = 0, total_source_ = 0, total_capacity_ = 0;
+};
+
+template <class Add>
+void FieldOperator::jacobian(std::span<const double> y, Add add) const {
+  for (std::size_t i = 0; i < size(); ++i) {
+    double diagonal = 0;
+    for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k) {
+      const double rate = rate_[static_cast<std::size_t>(k)];
+      diagonal -= rate;
+      add(i, static_cast<std::size_t>(network_.column[static_cast<std::size_t>(k)]), rate);
+    }
+    add(i, i, diagonal);
+  }
+  for (const auto& ghost : ghosts_) {
+    const auto row = static_cast<std::size_t>(ghost.row);
+    add(row, row, -ghost.rate);
+  }
+  for (const auto& radiation : radiation_) {
+    const auto row = static_cast<std::size_t>(radiation.row);
+    add(row, row, -4 * radiation.rate * y[row] * y[row] * y[row]);
+  }
+}
+
+}  // namespace superstep

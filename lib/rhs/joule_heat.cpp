@@ -1,0 +1,96 @@
+#include "rhs/joule_heat.hpp"
+
+#include <algorithm>
+
+namespace superstep {
+namespace {
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+std::size_t at(std::int64_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+/// Calls end(row, other slot, branch) for each branch end that heats a temperature row.
+template <class End>
+void for_ends(const Graph& electric, std::span<const std::int32_t> slot_of_node, std::size_t rows, End end) {
+  for (std::size_t k = 0; k < electric.edges(); ++k) {
+    if (!(electric.conductance[k] > 0)) continue;
+    const auto a = at(slot_of_node[at(electric.i[k])]), b = at(slot_of_node[at(electric.j[k])]);
+    if (a < rows) end(a, b, k);
+    if (b < rows) end(b, a, k);
+  }
+}
+
+}  // namespace
+
+JouleHeat::JouleHeat(const Graph& electric, std::span<const std::int32_t> slot_of_node, std::size_t rows,
+                     std::span<const double> capacity, std::span<const double> conductivity,
+                     ConductanceMean mean)
+    : begin_(rows + 1, 0) {
+  for_ends(electric, slot_of_node, rows,
+           [&](std::size_t row, std::size_t, std::size_t) { ++begin_[row + 1]; });
+  for (std::size_t row = 0; row < rows; ++row) {
+    begin_[row + 1] += begin_[row];
+    inverse_capacity_.push_back(1 / capacity[row]);
+  }
+  // Filled by ascending slots, so that a sweep reads potentials in order.
+  std::vector<std::pair<std::int32_t, std::size_t>> ends(at(begin_.back()));
+  std::vector<std::int64_t> next(begin_.begin(), begin_.end() - 1);
+  for_ends(electric, slot_of_node, rows, [&](std::size_t row, std::size_t other, std::size_t branch) {
+    ends[at(next[row]++)] = {static_cast<std::int32_t>(other), branch};
+  });
+  with_mean(mean, [&](auto mix) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      std::sort(ends.begin() + begin_[row], ends.begin() + begin_[row + 1]);
+      for (auto k = begin_[row]; k < begin_[row + 1]; ++k) {
+        const auto [other, branch] = ends[at(k)];
+        const double a = conductivity[row], b = conductivity[at(other)];
+        slot_.push_back(other);
+        geometry_.push_back(electric.conductance[branch] / mix.value(a, b));
+        weight_.push_back(geometry_.back() * mix.heat(a, b));
+      }
+    }
+  });
+}
+
+void JouleHeat::rate(std::span<const double> potential, std::span<double> out) const noexcept {
+  for (std::size_t row = 0; row < inverse_capacity_.size(); ++row) {
+    const double own = potential[row];
+    double heat = 0;
+    for (auto k = begin_[row]; k < begin_[row + 1]; ++k) {
+      const double dv = potential[at(slot_[at(k)])] - own;
+      heat += weight_[at(k)] * dv * dv;
+    }
+    out[row] = heat * inverse_capacity_[row];
+  }
+}
+
+void JouleHeat::rate(std::span<const double> potential, const SlotConductivity& conductivity,
+                     std::span<double> out) const noexcept {
+  with_mean(conductivity.mean(), [&](auto mean) {
+    const auto sigma = conductivity.value();
+    for (std::size_t row = 0; row < inverse_capacity_.size(); ++row) {
+      double heat = 0;
+      for (auto k = begin_[row]; k < begin_[row + 1]; ++k) {
+        const auto other = at(slot_[at(k)]);
+        const double dv = potential[other] - potential[row];
+        heat += geometry_[at(k)] * mean.heat(sigma[row], sigma[other]) * dv * dv;
+      }
+      out[row] = heat * inverse_capacity_[row];
+    }
+  });
+}
+
+double JouleHeat::largest_rate(double span) const noexcept {
+  double largest = 0;
+  for (std::size_t row = 0; row < inverse_capacity_.size(); ++row) {
+    double sum = 0;
+    for (auto k = begin_[row]; k < begin_[row + 1]; ++k) sum += weight_[at(k)];
+    largest = std::max(largest, sum * span * span * inverse_capacity_[row]);
+  }
+  return largest;
+}
+
+}  // namespace superstep

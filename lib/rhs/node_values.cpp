@@ -1,0 +1,24 @@
+#include "rhs/node_values.hpp"
+
+namespace superstep {
+
+NodeValues::NodeValues(std::vector<std::int32_t> slot_of_row, std::vector<KnownValue> known,
+                       std::vector<TimeTable> tables)
+    : slot_of_row_(std::move(slot_of_row)),
+      tables_(std::move(tables)),
+      value_(slot_of_row_.size() + known.size()) {
+  for (const auto& entry : known) {
+    value_[static_cast<std::size_t>(entry.node)] = entry.value;
+    if (entry.table >= 0) changing_.push_back(entry);
+  }
+}
+
+std::span<const double> NodeValues::on_slots(double t, const double* state) {
+  for (std::size_t row = 0; row < slot_of_row_.size(); ++row)
+    value_[static_cast<std::size_t>(slot_of_row_[row])] = state[row];
+  for (const auto& entry : changing_)
+    value_[static_cast<std::size_t>(entry.node)] = tables_[static_cast<std::size_t>(entry.table)].at(t);
+  return value_;
+}
+
+}  // namespace superstep

@@ -1,0 +1,435 @@
+#include "rhs/nonlinear_rhs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "network/cg_steady.hpp"
+#include "rhs/network_rhs.hpp"
+
+namespace superstep {
+namespace {
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+bool linear(const NonlinearInput& input) {
+  const bool laws = input.temperature.varies() || (input.potential && input.potential->varies());
+  return !laws && !input.joule && input.temperature.network.radiation.empty();
+}
+
+bool autonomous(const NonlinearInput& input) {
+  return input.temperature.network.inputs_are_constant() &&
+         (!input.potential || input.potential->network.inputs_are_constant());
+}
+
+RhsTraits traits_of(const NonlinearInput& input) {
+  const bool laws = input.temperature.varies() || (input.potential && input.potential->varies());
+  return {.linear = linear(input),
+          .constant_jacobian = linear(input),
+          .symmetric = !laws && !input.joule,
+          .autonomous = autonomous(input),
+          .constant_blocks = !laws};
+}
+
+bool potential_in_state(const NonlinearInput& input) noexcept {
+  return input.potential && !input.steady_potential;
+}
+
+std::vector<FieldView> views_of(const NonlinearInput& input) {
+  std::vector<FieldView> views;
+  std::size_t offset = 0;
+  if (potential_in_state(input)) {
+    offset = input.potential->network.size();
+    views.push_back({"potential", "V", 0, 1, offset});
+  }
+  views.push_back({"temperature", "K", offset, 1, input.temperature.network.size()});
+  return views;
+}
+
+std::size_t size_of(const NonlinearInput& input) {
+  return input.temperature.network.size() + (potential_in_state(input) ? input.potential->network.size() : 0);
+}
+
+/// Slots: the temperature's rows first, then all other nodes in the graph's order.
+std::vector<std::int32_t> number_slots(const Network& temperature) {
+  std::vector<std::int32_t> slot_of_node = temperature.row_of_node;
+  auto next = static_cast<std::int32_t>(temperature.size());
+  for (auto& slot : slot_of_node)
+    if (slot < 0) slot = next++;
+  return slot_of_node;
+}
+
+NodeValues values_on_slots(const FieldInput& field, const std::vector<std::int32_t>& slot_of_node) {
+  std::vector<std::int32_t> slot_of_row;
+  for (const auto node : field.network.node_of_row) slot_of_row.push_back(slot_of_node[at(node)]);
+  std::vector<KnownValue> known = field.known;
+  for (auto& entry : known) entry.node = slot_of_node[at(entry.node)];
+  return {std::move(slot_of_row), std::move(known), field.network.tables};
+}
+
+SlotConductivity conductivity_on_slots(const FieldInput& field,
+                                       const std::vector<std::int32_t>& slot_of_node) {
+  std::vector<std::int32_t> node_of_slot(slot_of_node.size());
+  for (std::size_t node = 0; node < slot_of_node.size(); ++node)
+    node_of_slot[at(slot_of_node[node])] = static_cast<std::int32_t>(node);
+  return {field.laws, std::move(node_of_slot)};
+}
+
+/// Conductivities that the conductances of the graph were computed with [slots].
+std::vector<double> reference_conductivity(const FieldInput& field,
+                                           const std::vector<std::int32_t>& slot_of_node) {
+  std::vector<double> reference(slot_of_node.size());
+  for (std::size_t node = 0; node < slot_of_node.size(); ++node)
+    reference[at(slot_of_node[node])] = field.laws.of_node(static_cast<std::int32_t>(node)).value;
+  return reference;
+}
+
+template <class T>
+const T* pointer_to(const std::optional<T>& value) noexcept {
+  return value ? &*value : nullptr;
+}
+
+/// out = a*y1 + b*y2 + c*y0 on entries that are no longer stepped: their f is 0.
+void combine(const Stage& stage, std::span<double> out) noexcept {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    double value = stage.a * stage.y1[i];
+    if (stage.y2) value += stage.b * stage.y2[i];
+    if (stage.y0) value += stage.c * stage.y0[i];
+    out[i] = value;
+  }
+}
+
+double rms_distance(std::span<const double> a, std::span<const double> b) noexcept {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, a.size())));
+}
+
+Stage shifted(const Stage& stage, std::size_t offset) noexcept {
+  Stage out = stage;
+  out.y1 += offset;
+  if (out.y2) out.y2 += offset;
+  if (out.y0) out.y0 += offset;
+  if (out.f0) out.f0 += offset;
+  return out;
+}
+
+}  // namespace
+
+bool FieldInput::varies() const noexcept {
+  return std::any_of(laws.of_material.begin(), laws.of_material.end(),
+                     [](const auto& law) { return law.varies(); });
+}
+
+NonlinearRhs::NonlinearRhs(NonlinearInput input)
+    : Rhs(size_of(input), traits_of(input), views_of(input)),
+      pair_step_(input.temperature.pair_step),
+      settle_tolerance_(input.settle_tolerance),
+      temperature_offset_(potential_in_state(input) ? input.potential->network.size() : 0),
+      slot_of_node_(number_slots(input.temperature.network)),
+      radiates_(!input.temperature.network.radiation.empty()) {
+  if (potential_in_state(input)) capacity_ = input.potential->network.capacity;
+  const auto& thermal_capacity = input.temperature.network.capacity;
+  capacity_.insert(capacity_.end(), thermal_capacity.begin(), thermal_capacity.end());
+  temperature_slots_.emplace(values_on_slots(input.temperature, slot_of_node_));
+  if (input.temperature.varies())
+    thermal_conductivity_.emplace(conductivity_on_slots(input.temperature, slot_of_node_));
+  thermal_ = std::make_shared<FieldOperator>(input.temperature.network);
+  if (thermal_conductivity_)
+    thermal_law_.emplace(*thermal_, *thermal_conductivity_,
+                         reference_conductivity(input.temperature, slot_of_node_), slot_of_node_);
+  thermal_bound_ = spectral_bounds(thermal_->network()).smallest();
+  joule_rate_.assign(thermal_->size(), 0.0);
+  own_sum_.reserve(size());
+  cross_sum_.reserve(size());
+  if (!input.potential) return;
+
+  const FieldInput& potential = *input.potential;
+  potential_span_ = potential.high - potential.low;
+  const auto reference = reference_conductivity(potential, slot_of_node_);
+  if (potential.varies()) electric_conductivity_.emplace(conductivity_on_slots(potential, slot_of_node_));
+  if (input.joule) {
+    joule_.emplace(*input.joule, slot_of_node_, thermal_->size(), thermal_->network().capacity, reference,
+                   potential.laws.mean);
+    const bool sourced = std::any_of(potential.network.source.begin(), potential.network.source.end(),
+                                     [](double source) { return source != 0; }) ||
+                         !potential.network.tabled_sources.empty();
+    const double rise = electric_conductivity_ ? electric_conductivity_->largest_rise() : 1;
+    largest_joule_rate_ =
+        sourced ? std::numeric_limits<double>::infinity() : rise * joule_->largest_rate(potential_span_);
+  }
+  auto values = values_on_slots(potential, slot_of_node_);
+  if (input.steady_potential) {
+    steady_ = std::make_unique<SteadyPotential>(potential.network, std::move(values));
+    if (electric_conductivity_)
+      steady_->vary(*electric_conductivity_, reference, slot_of_node_, input.resolve_change);
+    mutable_counters().potential_solves += steady_->solves();
+    return;
+  }
+  pair_step_ = std::min(pair_step_, potential.pair_step);
+  potential_slots_.emplace(std::move(values));
+  electric_ = std::make_shared<FieldOperator>(potential.network);
+  if (electric_conductivity_)
+    electric_law_.emplace(*electric_, *electric_conductivity_, reference, slot_of_node_);
+  electric_bound_ = spectral_bounds(electric_->network()).smallest();
+  networks_swept_ = 2;
+  row_of_potential_slot_.assign(slot_of_node_.size(), -1);
+  for (std::size_t row = 0; row < electric_->size(); ++row)
+    row_of_potential_slot_[at(potential_slots_->slot_of_row(row))] = static_cast<std::int32_t>(row);
+  seen_potential_.reserve(electric_->size());
+  driver_ =
+      std::make_unique<NetworkRhs>(electric_, "potential", "V", potential.pair_step, mutable_counters());
+  driven_ = std::make_unique<NetworkRhs>(thermal_, "temperature", "K", input.temperature.pair_step,
+                                         mutable_counters());
+}
+
+const FieldOperator& NonlinearRhs::field_operator(std::size_t field) const noexcept {
+  return steps_potential() && field == 0 ? *electric_ : *thermal_;
+}
+
+double NonlinearRhs::pair_step_without_interface() const {
+  return pair_step_;
+}
+
+void NonlinearRhs::update_conductances(double t, const double* temperature) {
+  if (!thermal_conductivity_ && !electric_conductivity_) return;
+  const auto slots = temperature_slots_->on_slots(t, temperature);
+  if (thermal_law_) {
+    thermal_conductivity_->update(slots);
+    thermal_law_->apply(*thermal_conductivity_, *thermal_);
+  }
+  if (!electric_conductivity_) return;
+  electric_conductivity_->update(slots);
+  if (electric_law_) electric_law_->apply(*electric_conductivity_, *electric_);
+}
+
+void NonlinearRhs::update_joule(double t, const double* y) {
+  if (!joule_ || settled_) return;
+  const auto* conductivity = pointer_to(electric_conductivity_);
+  std::span<const double> potential;
+  if (steady_) {
+    const auto solves = steady_->solves();
+    potential = steady_->on_slots(t, conductivity);
+    mutable_counters().potential_solves += steady_->solves() - solves;
+  } else {
+    potential = potential_slots_->on_slots(t, y);
+  }
+  if (conductivity)
+    joule_->rate(potential, *conductivity, joule_rate_);
+  else
+    joule_->rate(potential, joule_rate_);
+}
+
+void NonlinearRhs::do_stage(double t, const Stage& stage, std::span<double> out) {
+  const auto potential_out = out.first(temperature_offset_);
+  const auto temperature_out = out.subspan(temperature_offset_);
+  update_conductances(t, stage.y1 + temperature_offset_);
+  update_joule(t, stage.y1);
+  if (steps_potential() && settled_) combine(stage, potential_out);
+  if (steps_potential() && !settled_) electric_->stage(t, stage, potential_out.data());
+  thermal_->stage(t, shifted(stage, temperature_offset_), temperature_out.data());
+  if (!joule_) return;
+  for (std::size_t i = 0; i < temperature_out.size(); ++i) temperature_out[i] += stage.d * joule_rate_[i];
+}
+
+void NonlinearRhs::do_linear_stage(const Stage& stage, std::span<double> out) {
+  if (steps_potential()) electric_->conduction_stage(stage, out.data());
+  thermal_->conduction_stage(shifted(stage, temperature_offset_), out.data() + temperature_offset_);
+}
+
+void NonlinearRhs::do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) {
+  field_operator(field).conduction_stage({.y1 = v.data(), .a = 0, .d = 1}, out.data());
+}
+
+/// Every contribution to df/dy, the same ones in the same order at every state. The steady potential counts
+/// as given: what it owes to the temperatures is left out, which costs Newton an iteration and no accuracy.
+template <class Add>
+void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add add) {
+  update_conductances(t, y.data() + temperature_offset_);
+  const std::size_t rows = thermal_->size();
+  const auto add_temperature = [&](std::size_t row, std::size_t slot, double value) {
+    if (slot < rows) add(row, temperature_offset_ + slot, value);
+  };
+  const auto thermal_row = [&](std::size_t row, std::size_t slot, double value) {
+    add_temperature(temperature_offset_ + row, slot, value);
+  };
+  if (thermal_conductivity_ || electric_conductivity_) {
+    const auto slots = temperature_slots_->on_slots(t, y.data() + temperature_offset_);
+    if (thermal_conductivity_) thermal_conductivity_->update_slopes(slots);
+    if (electric_conductivity_) electric_conductivity_->update_slopes(slots);
+  }
+  if (steps_potential()) {
+    electric_->jacobian(y, add);
+    if (electric_law_)
+      electric_law_->jacobian(*electric_conductivity_, *electric_, electric_->ghost_values(t), y,
+                              add_temperature);
+  }
+  thermal_->jacobian(temperature_of(y), [&](std::size_t row, std::size_t column, double value) {
+    add(temperature_offset_ + row, temperature_offset_ + column, value);
+  });
+  if (thermal_law_)
+    thermal_law_->jacobian(*thermal_conductivity_, *thermal_, thermal_->ghost_values(t), temperature_of(y),
+                           thermal_row);
+  if (!joule_) return;
+  const auto potential = steady_ ? steady_->on_slots(t, pointer_to(electric_conductivity_))
+                                 : potential_slots_->on_slots(t, y.data());
+  const auto add_potential = [&](std::size_t row, std::size_t slot, double value) {
+    if (!steps_potential()) return;
+    const auto entry = row_of_potential_slot_[slot];
+    if (entry >= 0) add(temperature_offset_ + row, at(entry), value);
+  };
+  joule_->jacobian(potential, pointer_to(electric_conductivity_), add_potential, thermal_row);
+}
+
+SparsePattern NonlinearRhs::build_pattern() {
+  const std::vector<double> state(size(), 1.0);
+  return assembly_.build(size(), [&](auto add) { enumerate_jacobian(0, state, add); });
+}
+
+void NonlinearRhs::do_jacobian(double t, std::span<const double> y, std::span<double> values) {
+  (void)pattern();
+  assembly_.fill(values, [&](auto add) { enumerate_jacobian(t, y, add); });
+}
+
+double NonlinearRhs::spectral_bound(double t, std::span<const double> y) {
+  if (varies()) return scaled_gershgorin(t, y);
+  const double thermal = thermal_bound_ + radius_beyond_blocks(t, y);
+  return steps_potential() && !settled_ ? std::max(thermal, electric_bound_) : thermal;
+}
+
+double NonlinearRhs::radius_beyond_blocks(double /*t*/, std::span<const double> y) const {
+  return radiates_ ? thermal_->radiation_slope(temperature_of(y)) : 0;
+}
+
+/// Row sums of |J| after scaling the temperatures by theta bound its spectrum for every theta; theta balances
+/// the two fields.
+double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
+  auto &own = own_sum_, &cross = cross_sum_;
+  own.assign(size(), 0.0);
+  cross.assign(size(), 0.0);
+  enumerate_jacobian(t, y, [&](std::size_t row, std::size_t column, double value) {
+    const bool same = (row < temperature_offset_) == (column < temperature_offset_);
+    (same ? own : cross)[row] += std::abs(value);
+  });
+  double a = 0, b = 0, c = 0, e = 0;
+  for (std::size_t i = 0; i < temperature_offset_; ++i) {
+    a = std::max(a, own[i]);
+    b = std::max(b, cross[i]);
+  }
+  for (std::size_t i = temperature_offset_; i < size(); ++i) {
+    c = std::max(c, own[i]);
+    e = std::max(e, cross[i]);
+  }
+  if (b == 0 || e == 0) return std::max(a, c);  // triangular: the cross terms do not reach the spectrum
+  // a + theta b = c + e/theta
+  const double difference = c - a,
+               theta = (difference + std::sqrt(difference * difference + 4 * b * e)) / (2 * b);
+  double bound = 0;
+  for (std::size_t i = 0; i < size(); ++i)
+    bound = std::max(bound, own[i] + (i < temperature_offset_ ? theta * cross[i] : cross[i] / theta));
+  return bound;
+}
+
+double NonlinearRhs::inflow(double t, std::span<const double> y) {
+  update_conductances(t, y.data() + temperature_offset_);
+  update_joule(t, y.data());
+  double sum = thermal_->inflow(t, temperature_of(y));
+  if (!joule_) return sum;
+  const auto& capacity = thermal_->network().capacity;
+  for (std::size_t i = 0; i < joule_rate_.size(); ++i) sum += capacity[i] * joule_rate_[i];
+  return sum;
+}
+
+double NonlinearRhs::linear_inflow(std::span<const double> v) const {
+  return thermal_->conduction_inflow(temperature_of(v));
+}
+
+double NonlinearRhs::source_rate(std::size_t field) const {
+  const bool potential = steps_potential() && field == 0;
+  return field_operator(field).largest_source_rate() + (potential ? 0 : largest_joule_rate_);
+}
+
+double NonlinearRhs::mean_source_rate(std::size_t field) {
+  const auto& own = field_operator(field);
+  const double sources = own.total_capacity() > 0 ? own.total_source() / own.total_capacity() : 0;
+  if (!joule_ || (steps_potential() && field == 0)) return sources;
+  if (!mean_joule_rate_) mean_joule_rate_ = find_mean_joule_rate();
+  return sources + *mean_joule_rate_;
+}
+
+/// Heat of the steady potential, spread over the whole capacity. The heat is least for the true potential,
+/// so that a rough one serves.
+double NonlinearRhs::find_mean_joule_rate() {
+  std::vector<double> rate(thermal_->size());
+  if (steady_) {
+    joule_->rate(steady_->on_slots(0, pointer_to(electric_conductivity_)), rate);
+  } else {
+    constexpr double residual = 1e-2;
+    const auto potential = approximate_steady_state(electric_->network(), residual);
+    joule_->rate(potential_slots_->on_slots(0, potential.data()), rate);
+  }
+  double heat = 0;
+  for (std::size_t i = 0; i < rate.size(); ++i) heat += thermal_->network().capacity[i] * rate[i];
+  return thermal_->total_capacity() > 0 ? heat / thermal_->total_capacity() : 0;
+}
+
+OneWayCoupling* NonlinearRhs::one_way() {
+  return steps_potential() && joule_ && !varies() ? this : nullptr;
+}
+
+Rhs& NonlinearRhs::driver() {
+  return *driver_;
+}
+
+Rhs& NonlinearRhs::driven() {
+  return *driven_;
+}
+
+void NonlinearRhs::rate(double t, std::span<const double> v, std::span<double> rate) {
+  joule_->rate(potential_slots_->on_slots(t, v.data()), rate);
+}
+
+void NonlinearRhs::drive(std::span<const double> rate) {
+  static_cast<NetworkRhs&>(*driven_).drive(rate);
+}
+
+bool NonlinearRhs::settle(double t, std::span<const double> y, double accuracy) {
+  const bool possible = settle_tolerance_ > 0 && one_way() && electric_->network().inputs_are_constant();
+  if (!possible || settled_ || t < next_look_) return false;
+  const auto potential = y.first(temperature_offset_);
+  const double allowed = std::max(settle_tolerance_, accuracy) * potential_span_;
+  if (next_look_ == 0 || !(rms_distance(potential, seen_potential_) <= allowed)) {
+    // It still moves between looks: come back after a tenth of the time that has gone by.
+    seen_potential_.assign(potential.begin(), potential.end());
+    next_look_ = 1.1 * t;
+    return false;
+  }
+  if (final_potential_.empty())
+    final_potential_ = approximate_steady_state(electric_->network(), 1e-2 * settle_tolerance_);
+  next_look_ = 1.1 * t;
+  if (!(rms_distance(potential, final_potential_) <= allowed)) return false;
+  update_joule(t, y.data());
+  settled_ = true;
+  settled_at_ = t;
+  networks_swept_ = 1;
+  ++values_version_;
+  return true;
+}
+
+void NonlinearRhs::restart(double /*t*/) {
+  next_look_ = 0;
+  if (!settled_) return;
+  settled_ = false;
+  networks_swept_ = 2;
+  ++values_version_;
+}
+
+std::span<const double> NonlinearRhs::steady_potential(double t, std::span<const double> temperature) {
+  update_conductances(t, temperature.data());
+  return steady_->on_rows(t, pointer_to(electric_conductivity_));
+}
+
+}  // namespace superstep

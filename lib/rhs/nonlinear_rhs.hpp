@@ -1,0 +1,114 @@
+#pragma once
+/// Potential and temperature together, and conductivities that follow temperature:
+///   C_el dV/dt = -K_el(T) V + I,   C_th dT/dt = -K_th(T) T + Q + Joule heat(V, T)
+/// The state is [potential; temperature], or the temperature alone where the potential is steady or absent.
+/// Source: Rojek & Nisar 2026, sections 2.4 and 7.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rhs/jacobian_assembly.hpp"
+#include "rhs/joule_heat.hpp"
+#include "rhs/one_way.hpp"
+#include "rhs/steady_potential.hpp"
+
+namespace superstep {
+
+/// One field as NonlinearRhs takes it.
+struct FieldInput {
+  Network network;
+  double pair_step = 0;           ///< s, from particle contributions only
+  std::vector<KnownValue> known;  ///< values of all nodes that are not rows, by graph position
+  ConductionLaws laws;            ///< of_material is never empty
+  double low = 0, high = 0;       ///< range of initial and fixed values
+  [[nodiscard]] bool varies() const noexcept;
+};
+
+struct NonlinearInput {
+  FieldInput temperature;
+  std::optional<FieldInput> potential;
+  bool steady_potential = false;  ///< solved for, not part of the state
+  double resolve_change = 1e-6;   ///< steady: relative change of a conductivity that asks for a new solve
+  const Graph* joule = nullptr;   ///< electric graph whose branches heat; null = they do not
+  double settle_tolerance = 0;    ///< of the potential's span; 0 = the potential is stepped to the end
+};
+
+class NonlinearRhs final : public Rhs, public OneWayCoupling {
+ public:
+  explicit NonlinearRhs(NonlinearInput input);
+
+  [[nodiscard]] double spectral_bound(double t, std::span<const double> y) override;
+  [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
+  [[nodiscard]] double pair_step_without_interface() const override;
+  [[nodiscard]] std::span<const double> capacities() const noexcept override { return capacity_; }
+  [[nodiscard]] double inflow(double t, std::span<const double> y) override;
+  [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
+  [[nodiscard]] double source_rate(std::size_t field) const override;
+  [[nodiscard]] double mean_source_rate(std::size_t field) override;
+  [[nodiscard]] OneWayCoupling* one_way() override;
+  bool settle(double t, std::span<const double> y, double accuracy) override;
+  void restart(double t) override;
+
+  // OneWayCoupling
+  [[nodiscard]] Rhs& driver() override;
+  [[nodiscard]] Rhs& driven() override;
+  void rate(double t, std::span<const double> v, std::span<double> rate) override;
+  void drive(std::span<const double> rate) override;
+
+  [[nodiscard]] bool steps(std::size_t field) const noexcept override { return !(settled_ && field == 0); }
+  /// Time since which the potential is not stepped any more; nothing while it is.
+  [[nodiscard]] std::optional<double> settled_at() const noexcept override {
+    return settled_ ? std::optional(settled_at_) : std::nullopt;
+  }
+  /// Steady scenes: potentials on the rows of the electric network for a state (the temperatures).
+  [[nodiscard]] std::span<const double> steady_potential(double t, std::span<const double> temperature);
+
+ private:
+  void do_stage(double t, const Stage& stage, std::span<double> out) override;
+  void do_linear_stage(const Stage& stage, std::span<double> out) override;
+  void do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) override;
+  void do_jacobian(double t, std::span<const double> y, std::span<double> values) override;
+  [[nodiscard]] SparsePattern build_pattern() override;
+
+  [[nodiscard]] bool varies() const noexcept { return thermal_law_ || electric_law_; }
+  [[nodiscard]] bool steps_potential() const noexcept { return electric_ != nullptr; }
+  [[nodiscard]] std::span<const double> temperature_of(std::span<const double> y) const noexcept {
+    return y.subspan(temperature_offset_);
+  }
+  /// Conductances for the temperatures in y.
+  void update_conductances(double t, const double* temperature);
+  /// Joule heating of the rows at (t, y) [K/s], in joule_rate_.
+  void update_joule(double t, const double* y);
+  template <class Add>
+  void enumerate_jacobian(double t, std::span<const double> y, Add add);
+  [[nodiscard]] double scaled_gershgorin(double t, std::span<const double> y);
+  [[nodiscard]] double find_mean_joule_rate();
+  [[nodiscard]] const FieldOperator& field_operator(std::size_t field) const noexcept;
+
+  double pair_step_, settle_tolerance_;
+  std::size_t temperature_offset_;
+  std::vector<double> capacity_;  ///< [state]
+  double potential_span_ = 0;
+  std::vector<std::int32_t> slot_of_node_;
+  std::shared_ptr<FieldOperator> thermal_, electric_;  ///< electric: null unless it is part of the state
+  std::optional<NodeValues> temperature_slots_, potential_slots_;
+  std::optional<SlotConductivity> thermal_conductivity_, electric_conductivity_;
+  std::optional<VariableConduction> thermal_law_, electric_law_;
+  std::unique_ptr<SteadyPotential> steady_;
+  std::optional<JouleHeat> joule_;
+  std::vector<std::int32_t> row_of_potential_slot_;  ///< [slots] -1 = not a row
+  std::vector<double> own_sum_, cross_sum_;
+  std::vector<double> seen_potential_;   ///< at the last look for settling
+  std::vector<double> final_potential_;  ///< the steady one, worked out when it seems to be reached
+  std::vector<double> joule_rate_;       ///< [temperature rows] K/s
+  double settled_at_ = 0, next_look_ = 0;
+  double thermal_bound_ = 0, electric_bound_ = 0;  ///< of constant conductances [1/s]
+  double largest_joule_rate_ = 0;
+  std::optional<double> mean_joule_rate_;  ///< worked out when somebody asks
+  bool settled_ = false, radiates_ = false;
+  std::unique_ptr<Rhs> driver_, driven_;
+  JacobianAssembly assembly_;
+};
+
+}  // namespace superstep

@@ -1,0 +1,16 @@
+#pragma once
+/// `conductivity = 85.0` or a law of temperature.
+
+#include "core/toml.hpp"
+#include "rhs/conductivity_law.hpp"
+
+namespace superstep {
+
+/// Reads a positive number, or a table with `law`:
+///   { law = "linear", value, coefficient [1/K], reference [K] }
+///   { law = "table", temperatures = [...], values = [...] }
+///   { law = "sigmoid", value, amplitude [-], steepness [1/K], reference [K] }
+/// Throws InputError.
+[[nodiscard]] ConductivityLaw read_conductivity(const TomlValue& conductivity);
+
+}  // namespace superstep

@@ -1,0 +1,255 @@
+/// Every integrator on coupled and nonlinear scenes, and against solutions in closed form.
+
+#include "support/thermoelectric.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "integrators/detail/duhamel_coefficients.hpp"
+#include "integrators/registry.hpp"
+#include "rhs/one_way.hpp"
+#include "support/problem.hpp"
+
+namespace superstep {
+namespace {
+
+using test::Thermoelectric;
+
+struct CoupledRun {
+  Outcome outcome;
+  std::vector<std::vector<double>> states;
+  Statistics statistics;
+  ProbeHistory history;
+};
+
+CoupledRun run(Rhs& rhs, const std::string& spec, const std::vector<double>& times,
+               FieldRange temperature = {}) {
+  CoupledRun out;
+  out.history = ProbeHistory(1);
+  Plan plan;
+  plan.output_times = times;
+  for (const auto& field : rhs.fields())
+    plan.ranges.push_back(field.name == "potential" ? FieldRange{0, 1} : temperature);
+  plan.probes = {rhs.size() - 1};
+  plan.history = &out.history;
+  plan.track_inflow = true;
+  const auto method = make_integrator(spec);
+  const std::vector<double> initial(rhs.size(), 0.0);
+  try {
+    method->prepare(rhs, plan);
+    method->start(0, initial);
+    for (const double t : times) {
+      out.outcome = method->advance(t);
+      if (!out.outcome.ok()) return out;
+      out.states.emplace_back(method->state().begin(), method->state().end());
+    }
+  } catch (const Refused& refused) {
+    out.outcome = {Status::refused, refused.what()};
+  }
+  out.statistics = method->statistics();
+  return out;
+}
+
+double worst_difference(const CoupledRun& a, const CoupledRun& b) {
+  double worst = 0;
+  for (std::size_t k = 0; k < b.states.size(); ++k)
+    worst = std::max(worst, test::max_difference(a.states[k], b.states[k]));
+  return worst;
+}
+
+std::vector<std::string> all_specs() {
+  std::vector<std::string> specs;
+  for (const auto& entry : integrators()) {
+    specs.push_back(entry.name);
+    specs.insert(specs.end(), entry.examples.begin(), entry.examples.end());
+  }
+  return specs;
+}
+
+class EveryMethod : public ::testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Thermoelectric, EveryMethod, ::testing::ValuesIn(all_specs()), [](const auto& spec) {
+  std::string name = spec.param;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+});
+
+/// Some relaxation times of the slowest mode.
+const std::vector<double> times = {1.0, 4.0, 15.0};
+
+void expect_the_answer(const std::string& spec, const Thermoelectric& settings) {
+  if (spec.find("step=") != std::string::npos) GTEST_SKIP() << "its fixed step is made for another network";
+  const auto rhs = settings.build();
+  const auto reference = run(*rhs, "cvode:rtol=1e-11", times);
+  ASSERT_TRUE(reference.outcome.ok()) << reference.outcome.reason;
+  const auto result = run(*rhs, spec, times);
+  if (result.outcome.status == Status::refused) {
+    EXPECT_GT(result.outcome.reason.size(), 20U);  // says why
+    return;
+  }
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  const bool first_order = spec.find("euler") != std::string::npos || spec.find("sts") != std::string::npos ||
+                           spec.find("order=1") != std::string::npos;
+  double largest = 0;
+  for (const double value : reference.states.back()) largest = std::max(largest, std::abs(value));
+  // Default first-order steps reach a good part of the first output; the loosest rtol is 1e-4 and adds up
+  // over the steps.
+  EXPECT_LT(worst_difference(result, reference) / largest, first_order ? 0.1 : 2e-3) << spec;
+}
+
+TEST_P(EveryMethod, OneWay) {
+  expect_the_answer(GetParam(), {.nodes = 40});
+}
+
+TEST_P(EveryMethod, TwoWayWithEverything) {
+  using Kind = ConductivityLaw::Kind;
+  const ConductivityLaw line{.kind = Kind::linear, .value = 2, .coefficient = -0.1, .reference = 0.2};
+  const ConductivityLaw rise{
+      .kind = Kind::sigmoid, .value = 1, .reference = 0.4, .amplitude = 1, .steepness = 2};
+  expect_the_answer(GetParam(), {.nodes = 40,
+                                 .thermal = {line, rise},
+                                 .electric = {rise, line},
+                                 .convection = true,
+                                 .radiation = true,
+                                 .tables = true});
+}
+
+TEST_P(EveryMethod, StoresTheHeatThatTheCurrentMakes) {
+  const auto rhs = Thermoelectric{.nodes = 40}.build();  // insulated
+  const auto result = run(*rhs, GetParam(), times);
+  if (result.outcome.status == Status::refused) GTEST_SKIP() << result.outcome.reason;
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  double stored = 0;
+  const auto& field = rhs->fields()[1];
+  for (std::size_t i = field.offset; i < rhs->size(); ++i)
+    stored += rhs->capacities()[i] * result.states.back()[i];
+  ASSERT_GT(stored, 1);
+  const bool implicit = result.statistics.solves > 0 || GetParam().find("fixed-point") != std::string::npos;
+  // Explicit methods close to rounding, implicit ones to what Newton and its linear solver leave.
+  EXPECT_NEAR(result.statistics.inflow / stored, 1.0, implicit ? 1e-3 : 1e-10);
+}
+
+TEST(OneWayExponential, FollowsItsTolerance) {
+  const auto rhs = Thermoelectric{.nodes = 60}.build();
+  const auto reference = run(*rhs, "cvode:rtol=1e-12", times);
+  double before = 1;
+  for (const char* spec : {"exponential:rtol=1e-3", "exponential:rtol=1e-5", "exponential:rtol=1e-7"}) {
+    const auto result = run(*rhs, spec, times);
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+    const double error = worst_difference(result, reference);
+    EXPECT_LT(error, 10 * std::stod(std::string(spec).substr(17)))
+        << spec;  // rms is asked for, this is the max
+    EXPECT_LT(error, before);
+    before = error;
+  }
+}
+
+TEST(OneWayExponential, KeepsFixedTemperaturesAndSources) {
+  // Convection makes ghosts: the affine part of the temperature's half and its share of the heat balance.
+  const auto rhs = Thermoelectric{.nodes = 30, .convection = true}.build();
+  const auto reference = run(*rhs, "cvode:rtol=1e-12", times);
+  const auto result = run(*rhs, "exponential:rtol=1e-9", times);
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  EXPECT_LT(worst_difference(result, reference), 1e-7);
+  double stored = 0;
+  for (std::size_t i = rhs->fields()[1].offset; i < rhs->size(); ++i)
+    stored += rhs->capacities()[i] * result.states.back()[i];
+  EXPECT_NEAR(result.statistics.inflow / stored, 1.0, 1e-8);
+}
+
+TEST(OneWayExponential, RefusesWhatIsNotOneWay) {
+  const ConductivityLaw line{.kind = ConductivityLaw::Kind::linear, .value = 2, .coefficient = -0.1};
+  for (const auto& settings : {Thermoelectric{.electric = {line, line}}, Thermoelectric{.radiation = true},
+                               Thermoelectric{.tables = true}}) {
+    const auto rhs = settings.build();
+    const auto result = run(*rhs, "exponential", times);
+    EXPECT_EQ(result.outcome.status, Status::refused);
+    EXPECT_NE(result.outcome.reason.find("constant"), std::string::npos);
+  }
+}
+
+TEST(SettledPotential, IsNoLongerSteppedAndCostsNoAccuracy) {
+  const std::vector<double> late = {60.0};
+  for (const char* spec : {"forward-euler", "sts:n=5,nu=0.05", "rkc:rtol=1e-5", "rock:rtol=1e-5"}) {
+    const auto stepped = Thermoelectric{.nodes = 40}.build();
+    const auto settling = Thermoelectric{.nodes = 40, .settle_tolerance = 1e-9}.build();
+    const auto a = run(*stepped, spec, late), b = run(*settling, spec, late);
+    ASSERT_TRUE(a.outcome.ok() && b.outcome.ok());
+    EXPECT_TRUE(settling->settled_at().has_value()) << spec;
+    EXPECT_LT(settling->counters().sweeps, 0.9 * static_cast<double>(stepped->counters().sweeps)) << spec;
+    const double scale = std::abs(a.states[0].back());
+    EXPECT_LT(worst_difference(a, b), 1e-3 * scale) << spec;  // other steps, the same answer
+  }
+}
+
+TEST(Radiation, OfOneNodeHasItsClosedForm) {
+  // dT/dt = -r T^4 into a void of 0 K: T = T0 (1 + 3 r T0^3 t)^(-1/3).
+  Graph graph = test::chain(1);
+  graph.initial = {2.0};
+  graph.radiation.push_back({0, 0.1, 0.0, -1});
+  test::Problem problem(graph);
+  for (const char* spec : {"rkc:rtol=1e-8", "rock:rtol=1e-8", "cvode:rtol=1e-9", "trapezoidal:rtol=1e-8"}) {
+    const auto result = test::run(spec, problem, {1.0, 5.0});
+    ASSERT_TRUE(result.outcome.ok()) << spec << ": " << result.outcome.reason;
+    EXPECT_NEAR(result.states[0][0], 2.0 * std::cbrt(1 / (1 + 0.3 * 8 * 1)), 6e-6)
+        << spec;  // 1e-8 of 2 in each of some 300 steps
+    EXPECT_NEAR(result.states[1][0], 2.0 * std::cbrt(1 / (1 + 0.3 * 8 * 5)), 6e-6) << spec;
+  }
+}
+
+TEST(Convection, OfOneNodeHasItsClosedForm) {
+  // C dT/dt = h A (T_inf - T): exponential relaxation; T_inf = a + b t lags behind by b C/(h A).
+  Graph graph = test::chain(1);
+  graph.initial = {1.0};
+  graph.convection.push_back({0, 0.5, 3.0, -1});
+  test::Problem constant(graph);
+  for (const char* spec : {"exponential:rtol=1e-12", "rkc:rtol=1e-9", "cvode:rtol=1e-10"}) {
+    const auto result = test::run(spec, constant, {2.0});
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+    EXPECT_NEAR(result.states[0][0], 3.0 - 2.0 * std::exp(-1.0), 6e-7)
+        << spec;  // 1e-9 of 2 in each of some 300 steps
+  }
+  graph.tables.push_back({{0, 10}, {3, 13}});
+  graph.convection[0].table = 0;
+  test::Problem rising(graph);
+  for (const char* spec : {"rkc:rtol=1e-9", "rock:rtol=1e-9", "cvode:rtol=1e-10"}) {
+    const auto result = test::run(spec, rising, {4.0});
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+    // T = 3 + t - 2 + c exp(-t/2), T(0) = 1 gives c = 0
+    EXPECT_NEAR(result.states[0][0], 5.0, 1e-7) << spec;
+  }
+}
+
+TEST(LinearConductivity, OfASteadyChainHasItsClosedForm) {
+  // One free node between 0 and 1 with kappa = 1 + b T: K(T1, T0)(T1 - 0) = K(T1, T2)(1 - T1), arithmetic
+  // mean: (1 + b T1/2) T1 = (1 + b (1 + T1)/2)(1 - T1), the quadratic b T1^2 + 2 T1 - (1 + b/2) = 0.
+  const double b = 0.8;
+  Graph graph = test::chain(3, 0.0, 1.0);
+  // Reference conductivity 1 at T = 0.
+  const ConductivityLaw law{.kind = ConductivityLaw::Kind::linear, .value = 1, .coefficient = b};
+  NonlinearInput input;
+  input.temperature.network = build_network(graph, test::plain_roles(graph));
+  input.temperature.laws = {{law}, {0, 0, 0}, ConductanceMean::arithmetic};
+  for (std::int32_t node = 0; node < 3; node += 2)
+    input.temperature.known.push_back({node, graph.fixed_value[static_cast<std::size_t>(node)], -1});
+  NonlinearRhs rhs(std::move(input));
+  const auto result = run(rhs, "cvode:rtol=1e-10", {60.0}, {0, 1});
+  ASSERT_TRUE(result.outcome.ok());
+  EXPECT_NEAR(result.states[0][0], (-1 + std::sqrt(1 + b * (1 + b / 2))) / b, 1e-8);
+}
+
+TEST(DuhamelCoefficients, MomentsHaveTheirClosedForms) {
+  for (const double mu : {0.0, 1e-6, 0.3, 5.0, 400.0, 1e6}) {
+    const auto moments = exponential_moments(mu, 2);
+    const double zeroth = mu > 0 ? -std::expm1(-mu) / mu : 1;
+    EXPECT_NEAR(moments[0], zeroth, 1e-14 * zeroth + 1e-15) << mu;
+    if (mu < 0.1) continue;  // the closed form of the first one cancels there
+    // integral of (1 - 2 w) exp(-mu w) = zeroth - 2 (1 - (1 + mu) exp(-mu))/mu^2
+    EXPECT_NEAR(moments[1], zeroth - 2 * (1 - (1 + mu) * std::exp(-mu)) / (mu * mu), 1e-13) << mu;
+  }
+}
+
+}  // namespace
+}  // namespace superstep
