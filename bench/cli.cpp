@@ -38,8 +38,12 @@ Command make_run(const Arguments& values) {
                      .integrators = values.integrators,
                      .tolerance = std::nullopt,
                      .out = values.out,
-                     .vtk = values.vtk};
+                     .vtk = values.vtk,
+                     .checkpoint = std::nullopt,
+                     .restart = values.restart};
   if (!values.tolerance.empty()) command.tolerance = parse_positive_option("--tolerance", values.tolerance);
+  if (!values.checkpoint.empty())
+    command.checkpoint = parse_positive_option("--checkpoint", values.checkpoint);
   return command;
 }
 

@@ -76,7 +76,9 @@ void add_run(CLI::App& app, Arguments& values) {
       "  superstep run cases/nial_thermal.toml --tolerance 1e-3\n"
       "  superstep run cases/nial_thermal.toml --integrator sts:n=20,nu=1e-3 --out result\n"
       "  superstep run cases/nial_thermal.toml --integrator cvode --tolerance 1e-7\n"
-      "  superstep run cases/nial_thermal.toml --vtk --out result   (then open result/vtk/particles.pvd)");
+      "  superstep run cases/nial_thermal.toml --vtk --out result   (then open result/vtk/particles.pvd)\n"
+      "  superstep run cases/sintering_example.toml --out result --checkpoint 0.1\n"
+      "  superstep run cases/sintering_example.toml --restart result/checkpoint.bin");
   add_case(command, values, false);
   add_integrators(command, values, "auto");
   command
@@ -85,6 +87,12 @@ void add_run(CLI::App& app, Arguments& values) {
       ->type_name("X");
   command.add_option("--out", values.out, "folder for final.csv, probes.csv, run.json")->type_name("DIR");
   command.add_flag("--vtk", values.vtk, "write particles and contacts at every output time for ParaView");
+  command
+      .add_option("--checkpoint", values.checkpoint,
+                  "moving particles: simulated time [s] between writes of DIR/checkpoint.bin")
+      ->type_name("T");
+  command.add_option("--restart", values.restart, "moving particles: go on from this checkpoint")
+      ->type_name("FILE");
 }
 
 void add_bench(CLI::App& app, Arguments& values) {

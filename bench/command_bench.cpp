@@ -13,6 +13,7 @@
 #include "bench/report_file.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "integrators/staggered/sintering_case.hpp"
 #include "reports/results_csv.hpp"
 #include "reports/results_json.hpp"
 #include "reports/results_table.hpp"
@@ -62,6 +63,11 @@ BenchReport empty_report(const BenchCommand& command) {
 }  // namespace
 
 int execute(const BenchCommand& command) {
+  const auto moving = std::count_if(command.case_files.begin(), command.case_files.end(),
+                                    [](const auto& file) { return dynamics::is_sintering_case(file); });
+  if (moving > 0 && command.case_files.size() > 1)
+    throw UsageError("bench: a case with moving particles ([dynamics]) is measured on its own");
+  if (moving > 0) return bench_sintering(command);
   const auto cases = load_all(command);
   const std::string folder = output_folder(command, cases);
   require_writable_folder(folder);

@@ -14,6 +14,7 @@
 #include "bench/spec_settings.hpp"
 #include "bench/vtk_series.hpp"
 #include "core/error.hpp"
+#include "integrators/staggered/sintering_case.hpp"
 
 namespace superstep {
 namespace {
@@ -69,6 +70,9 @@ std::string summary(const std::string& spec, const RunResult& run, const std::st
 }  // namespace
 
 int execute(const RunCommand& command) {
+  if (dynamics::is_sintering_case(command.case_file)) return run_sintering(command);
+  if (command.checkpoint || !command.restart.empty())
+    throw UsageError("run: --checkpoint and --restart need a case with moving particles ([dynamics])");
   check_specs(command.integrators);
   const auto [scene, cpu_setup] = load_case(command.case_file);
   if (command.vtk) require_packing(scene, "--vtk");

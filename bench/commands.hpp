@@ -27,6 +27,8 @@ struct RunCommand {
   std::optional<double> tolerance;       ///< replaces rtol of every SPEC
   std::string out;                       ///< folder; empty = default_output_folder
   bool vtk = false;                      ///< write particles and contacts for ParaView
+  std::optional<double> checkpoint;      ///< simulated time between checkpoints [s]; moving particles only
+  std::string restart;                   ///< checkpoint to go on from; empty = none; moving particles only
 };
 
 struct BenchCommand {
@@ -89,6 +91,11 @@ struct ShowText {
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
                              PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
+
+/// `execute` of a case with moving particles, i.e. with a table [dynamics].
+int run_sintering(const RunCommand& command);
+int bench_sintering(const BenchCommand& command);
+int info_sintering(const InfoCommand& command);
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);

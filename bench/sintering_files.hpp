@@ -1,0 +1,39 @@
+#pragma once
+/// The files of `superstep run` for a press with moving particles.
+
+#include <span>
+#include <string>
+
+#include "bench/commands.hpp"
+#include "integrators/staggered/motion.hpp"
+#include "integrators/staggered/sintering_case.hpp"
+
+namespace superstep {
+
+/// history.csv: one row per accepted step, the first one for the initial state; `phase` is the phase's name,
+/// `step` the size of the step [s].
+[[nodiscard]] std::string history_csv(const dynamics::SinteringCase& one,
+                                      std::span<const dynamics::HistoryRow> history);
+
+/// Particles by id: id,x,y,z,r [m], temperature [K], current [A] or potential [V] when the case has a
+/// current, velocity [m/s]. The columns of final.csv of a fixed network come first.
+[[nodiscard]] std::string particles_csv(const dynamics::SinteringCase& one, const dynamics::State& state);
+
+/// What a run of moving particles cost and how it ended.
+struct SinteringResult {
+  Outcome outcome;
+  double cpu_setup = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
+  std::vector<std::string> files, warnings;
+};
+
+/// run.json: as for a fixed network, and under "motion" the state at the end of each phase and the CPU time
+/// of each part.
+[[nodiscard]] std::string sintering_json(const dynamics::SinteringCase& one, const dynamics::Motion& motion,
+                                         const SinteringResult& result, int threads);
+
+/// The same in words: a table of the phases, the parts with their shares.
+[[nodiscard]] std::string sintering_summary(const dynamics::SinteringCase& one,
+                                            const dynamics::Motion& motion, const SinteringResult& result,
+                                            const std::string& folder);
+
+}  // namespace superstep

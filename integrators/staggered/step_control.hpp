@@ -1,0 +1,48 @@
+#pragma once
+/// Step sizes from the rate at which a fixed-point iteration converges.
+/// Source: Zohdi (2014), eqs 30, 47-49 and Algorithm 1.
+
+#include <algorithm>
+#include <cmath>
+
+namespace superstep::dynamics {
+
+/// How one field's iteration went: w_k = sum |y^k - y^(k-1)| / sum |y^k - y^L|, 0 when nothing moves.
+///
+/// The paper's first error compares with y^0 = y^L and is identically 1, so it tells nothing. Here iterate 0
+/// is an Euler predictor, and the first error that counts is that of iterate 1.
+struct FieldError {
+  double tolerance = 5e-4;  ///< TOL
+  double first = 0;         ///< w_0, of iterate 1
+  double last = 0;          ///< w_K
+
+  void begin() noexcept { first = last = 0; }
+  void measure(int iteration, double change, double moved) noexcept {
+    last = change > 0 ? change / moved : 0;
+    if (iteration == 1) first = last;
+  }
+  [[nodiscard]] double violation() const noexcept { return last / tolerance; }
+  /// Lambda_K = (TOL/w_0)^(1/(p K_d)) / (w_K/w_0)^(1/(p K)) after iterate `iteration` = K + 1; `unknown`
+  /// where the iteration was too short to show a rate.
+  [[nodiscard]] double factor(int iteration, int wanted, double power, double unknown) const noexcept {
+    if (first == 0 || last == 0 || iteration < 2) return unknown;
+    return std::pow(tolerance / first, 1 / (power * wanted)) /
+           std::pow(last / first, 1 / (power * (iteration - 1)));
+  }
+};
+
+/// Bounds of the change from one step to the next; the paper has none.
+struct StepBounds {
+  double growth = 2;             ///< largest factor, > 1
+  double shrink = 0.1;           ///< smallest factor, in (0, 1)
+  double rejected_shrink = 0.9;  ///< a restarted step shrinks at least to this part
+
+  [[nodiscard]] double after_success(double factor) const noexcept {
+    return std::clamp(factor, shrink, growth);
+  }
+  [[nodiscard]] double after_failure(double factor) const noexcept {
+    return std::clamp(factor, shrink, rejected_shrink);
+  }
+};
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,112 @@
+#include "dynamics/heat.hpp"
+
+#include <algorithm>
+
+namespace superstep::dynamics {
+namespace {
+
+std::size_t at(std::int32_t i) noexcept {
+  return static_cast<std::size_t>(i);
+}
+
+double pair_conductance(const ThermalLaw& law, const ContactPoint& contact) noexcept {
+  return law.conductivity * contact.area / contact.distance;
+}
+
+// The centre never gets as far as the wall in an accepted step; the bound keeps trial positions finite.
+double wall_conductance(const ThermalLaw& law, const WallContact& contact, double radius) noexcept {
+  constexpr double nearest = 1e-3;  // of the radius
+  return law.conductivity * contact.area / std::max(contact.distance, nearest * radius);
+}
+
+}  // namespace
+
+void heat_rates(const ThermalLaw& law, const Particles& particles, const Placement& placement, Held held,
+                std::span<const double> joule, std::span<const double> temperature, std::span<double> rate) {
+  std::copy(joule.begin(), joule.end(), rate.begin());
+  if (law.conductivity > 0) {
+    for (const auto& contact : placement.contacts) {
+      const std::size_t i = at(contact.i), j = at(contact.j);
+      const double flow = pair_conductance(law, contact) * (temperature[j] - temperature[i]);
+      rate[i] += flow;
+      rate[j] -= flow;
+    }
+    if (law.walls_conduct)
+      for (const auto& contact : placement.walls) {
+        const std::size_t i = at(contact.particle);
+        rate[i] += wall_conductance(law, contact, particles.radius[i]) *
+                   (law.wall_temperature[at(contact.wall)] - temperature[i]);
+      }
+  }
+  for (std::size_t i = 0; i < rate.size(); ++i)
+    rate[i] = held[i] >= 0 ? 0.0 : rate[i] / (particles.mass[i] * law.specific_heat);
+}
+
+Network thermal_network(const ThermalLaw& law, const Particles& particles, const Placement& placement,
+                        Held held, std::span<const double> joule) {
+  const std::size_t n = particles.size();
+  Network network;
+  network.row_of_node.assign(n, -1);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (held[i] >= 0) continue;
+    network.row_of_node[i] = static_cast<std::int32_t>(network.node_of_row.size());
+    network.node_of_row.push_back(static_cast<std::int32_t>(i));
+    network.capacity.push_back(particles.mass[i] * law.specific_heat);
+    network.source.push_back(joule[i]);
+  }
+  network.ghost_value.assign(law.wall_temperature.begin(), law.wall_temperature.end());
+  const std::size_t rows = network.capacity.size();
+  const auto& row_of = network.row_of_node;
+  const auto conducts = [](double conductance) { return conductance > 0; };
+
+  // Count, then fill: contacts are sorted by (i, j) with i < j, so each row's columns below the diagonal come
+  // in order while j runs, those above while i runs.
+  network.row_begin.assign(rows + 1, 0);
+  for (const auto& contact : placement.contacts) {
+    if (!conducts(pair_conductance(law, contact))) continue;
+    const auto a = row_of[at(contact.i)], b = row_of[at(contact.j)];
+    if (a < 0 || b < 0) continue;
+    ++network.row_begin[at(a) + 1];
+    ++network.row_begin[at(b) + 1];
+  }
+  for (std::size_t row = 0; row < rows; ++row) network.row_begin[row + 1] += network.row_begin[row];
+  const auto entries = static_cast<std::size_t>(network.row_begin[rows]);
+  network.column.resize(entries);
+  network.conductance.resize(entries);
+  std::vector<std::int64_t> next(network.row_begin.begin(), network.row_begin.end() - 1);
+  const auto put = [&](std::int32_t row, std::int32_t column, double conductance) {
+    const auto k = static_cast<std::size_t>(next[at(row)]++);
+    network.column[k] = column;
+    network.conductance[k] = conductance;
+  };
+  const auto to_wall = [&](std::int32_t row, std::int32_t wall, double conductance) {
+    network.ghost_edges.push_back({row, wall, conductance});
+  };
+  for (const auto& contact : placement.contacts) {  // below the diagonal, and ghosts
+    const double conductance = pair_conductance(law, contact);
+    if (!conducts(conductance)) continue;
+    const auto a = row_of[at(contact.i)], b = row_of[at(contact.j)];
+    if (a >= 0 && b >= 0)
+      put(b, a, conductance);
+    else if (a >= 0)
+      to_wall(a, held[at(contact.j)], conductance);
+    else if (b >= 0)
+      to_wall(b, held[at(contact.i)], conductance);
+  }
+  for (const auto& contact : placement.contacts) {  // above the diagonal
+    const double conductance = pair_conductance(law, contact);
+    const auto a = row_of[at(contact.i)], b = row_of[at(contact.j)];
+    if (a >= 0 && b >= 0 && conducts(conductance)) put(a, b, conductance);
+  }
+  if (law.walls_conduct)
+    for (const auto& contact : placement.walls) {
+      const std::size_t i = at(contact.particle);
+      const double conductance = wall_conductance(law, contact, particles.radius[i]);
+      if (row_of[i] >= 0 && conducts(conductance)) to_wall(row_of[i], contact.wall, conductance);
+    }
+  std::stable_sort(network.ghost_edges.begin(), network.ghost_edges.end(),
+                   [](const auto& a, const auto& b) { return a.row < b.row; });
+  return network;
+}
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,55 @@
+#pragma once
+/// The laws of a press and the numbers in them.
+
+#include <array>
+#include <string>
+
+#include "dynamics/bond_law.hpp"
+#include "dynamics/contact_law.hpp"
+#include "dynamics/drag.hpp"
+#include "dynamics/schedule.hpp"
+#include "dynamics/walls.hpp"
+
+namespace superstep::dynamics {
+
+/// How current finds its way.
+enum class CurrentModel : char {
+  none,       ///< there is no electric field
+  averaging,  ///< particle currents J, each the area-weighted mean of its neighbours (Zohdi 2014, eq. 42)
+  potential,  ///< potentials and pipe conductances, as in a network of resistors
+};
+enum class CurrentSolver : char {
+  jacobi,     ///< as printed (Zohdi 2014, eq. 43)
+  conjugate,  ///< conjugate gradients
+  direct,     ///< Cholesky factorization
+};
+
+struct ThermalLaw {
+  double conductivity = 0;                            ///< kappa [W/(m K)], >= 0
+  double specific_heat = 1;                           ///< C [J/(kg K)], > 0
+  std::array<double, wall_count> wall_temperature{};  ///< K
+  bool walls_conduct = true;                          ///< heat flows between walls and what touches them
+};
+
+struct ElectricLaw {
+  CurrentModel model = CurrentModel::none;
+  CurrentSolver solver = CurrentSolver::conjugate;
+  double conductivity = 1;       ///< sigma [S/m], > 0
+  double absorption = 1;         ///< a, 0 to 1
+  double tolerance = 1e-10;      ///< of iterative solvers, relative
+  bool hold_temperature = true;  ///< what touches an electrified wall takes its temperature
+};
+
+struct Model {
+  Box box;
+  Schedule schedule;
+  ContactLaw contact, wall;
+  BondLaw bond;
+  DragLaw drag;
+  double gravity = 9.81;  ///< m/s2, along -z
+  ThermalLaw thermal;
+  ElectricLaw electric;
+  double skin = 0;  ///< of the neighbour list [m], > 0
+};
+
+}  // namespace superstep::dynamics

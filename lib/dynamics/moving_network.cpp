@@ -1,0 +1,100 @@
+#include "dynamics/moving_network.hpp"
+
+#include <algorithm>
+
+#include "core/stopwatch.hpp"
+
+namespace superstep::dynamics {
+namespace {
+
+class PartTimer {
+ public:
+  explicit PartTimer(double& total) : total_(total), begin_(process_cpu_seconds()) {}
+  ~PartTimer() { total_ += process_cpu_seconds() - begin_; }
+  PartTimer(const PartTimer&) = delete;
+  PartTimer& operator=(const PartTimer&) = delete;
+
+ private:
+  double& total_;
+  double begin_;
+};
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+Electrodes electrodes_of(const Phase& phase) {
+  return {phase.lower, phase.upper};
+}
+
+}  // namespace
+
+MovingNetwork::MovingNetwork(const Model& model, const Particles& particles)
+    : model_(model),
+      particles_(particles),
+      contacts_(model.bond, model.skin, largest(particles.radius)),
+      current_(model.electric, particles),
+      held_(particles.size(), -1),
+      depth_(particles.size(), 0.0) {}
+
+void MovingNetwork::place(std::span<const Vec3> position, const Phase& phase, double t) {
+  const PartTimer timer(times.contacts);
+  contacts_.place(position, particles_.radius);
+  find_wall_contacts(model_.box, phase.wall_height(t), position, particles_.radius, wall_contacts_);
+  upper_wall_velocity_ = phase.wall_velocity();
+}
+
+double MovingNetwork::forces(std::span<const Vec3> velocity, std::span<const double> temperature,
+                             std::span<Vec3> force) {
+  const PartTimer timer(times.forces);
+  return sum_forces(model_, particles_, placement(), velocity, temperature, force);
+}
+
+void MovingNetwork::rates(std::span<const double> temperature, std::span<double> rate) {
+  const PartTimer timer(times.heat);
+  heat_rates(model_.thermal, particles_, placement(), held_, current_.heat(), temperature, rate);
+}
+
+void MovingNetwork::touch_walls(State& state, const Phase& phase) {
+  std::fill(held_.begin(), held_.end(), -1);
+  const Electrodes electrodes = electrodes_of(phase);
+  if (model_.electric.model == CurrentModel::none || !model_.electric.hold_temperature || !electrodes.any())
+    return;
+  std::fill(depth_.begin(), depth_.end(), 0.0);
+  for (const auto& contact : wall_contacts_) {
+    const auto i = static_cast<std::size_t>(contact.particle);
+    if (!electrodes.of(contact.wall) || !(-contact.strain > depth_[i])) continue;
+    depth_[i] = -contact.strain;
+    held_[i] = contact.wall;
+    state.temperature[i] = model_.thermal.wall_temperature[static_cast<std::size_t>(contact.wall)];
+  }
+}
+
+void MovingNetwork::settle(State& state, const Phase& phase) {
+  {
+    const PartTimer timer(times.contacts);
+    contacts_.update_bonds();
+    state.bonds.assign(contacts_.bonds().begin(), contacts_.bonds().end());
+  }
+  const PartTimer timer(times.current);
+  touch_walls(state, phase);
+  current_.update(placement(), electrodes_of(phase), state.electric);
+}
+
+void MovingNetwork::resume(State& state, const Phase& phase) {
+  contacts_.set_bonds(state.bonds);
+  place(state.position, phase, state.time);
+  touch_walls(state, phase);
+  current_.restore(placement(), electrodes_of(phase), state.electric);
+}
+
+Network MovingNetwork::frozen_network() const {
+  return thermal_network(model_.thermal, particles_, placement(), held_, current_.heat());
+}
+
+double MovingNetwork::explicit_limit(std::span<const double> temperature) {
+  const PartTimer timer(times.forces);
+  return explicit_step_limit(model_, particles_, placement(), temperature, stiffness_, damping_);
+}
+
+}  // namespace superstep::dynamics

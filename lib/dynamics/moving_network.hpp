@@ -1,0 +1,69 @@
+#pragma once
+/// The network while its particles move: contacts, forces, heat and current of one instant.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "dynamics/contact_points.hpp"
+#include "dynamics/current.hpp"
+#include "dynamics/forces.hpp"
+#include "dynamics/heat.hpp"
+#include "dynamics/model.hpp"
+
+namespace superstep::dynamics {
+
+/// CPU time of the parts of a run [s].
+struct PartTimes {
+  double contacts = 0;  ///< neighbour list, geometry, bonds
+  double forces = 0;
+  double heat = 0;  ///< rates, or the thermal integrator
+  double current = 0;
+};
+
+class MovingNetwork {
+ public:
+  /// Keeps references: both must outlive it.
+  MovingNetwork(const Model& model, const Particles& particles);
+
+  /// Contacts with particles and walls at these positions at a time of `phase`.
+  void place(std::span<const Vec3> position, const Phase& phase, double t);
+  /// Sum of the forces at the instant last placed [N]; returns the normal force on the upper wall [N].
+  double forces(std::span<const Vec3> velocity, std::span<const double> temperature, std::span<Vec3> force);
+  /// Temperature rates at the instant last placed, with the current of the last `settle` [K/s].
+  void rates(std::span<const double> temperature, std::span<double> rate);
+
+  /// What happens once per accepted step, at the instant last placed: bonds form and break, particles that
+  /// touch an electrified wall take its temperature, the current is solved anew.
+  void settle(State& state, const Phase& phase);
+  /// The same from a stored state, whose bonds and currents stand.
+  void resume(State& state, const Phase& phase);
+
+  [[nodiscard]] const Model& model() const noexcept { return model_; }
+  [[nodiscard]] const Particles& particles() const noexcept { return particles_; }
+  [[nodiscard]] const ContactPoints& contacts() const noexcept { return contacts_; }
+  [[nodiscard]] Placement placement() const noexcept {
+    return {contacts_.points(), wall_contacts_, upper_wall_velocity_};
+  }
+  [[nodiscard]] Held held() const noexcept { return held_; }
+  [[nodiscard]] const CurrentField& current() const noexcept { return current_; }
+  [[nodiscard]] Network frozen_network() const;
+  /// Longest stable explicit step [s] at the instant last placed.
+  [[nodiscard]] double explicit_limit(std::span<const double> temperature);
+
+  PartTimes times;
+
+ private:
+  void touch_walls(State& state, const Phase& phase);
+
+  const Model& model_;
+  const Particles& particles_;
+  ContactPoints contacts_;
+  std::vector<WallContact> wall_contacts_;
+  double upper_wall_velocity_ = 0;
+  CurrentField current_;
+  std::vector<std::int32_t> held_;
+  std::vector<double> depth_, stiffness_, damping_;
+};
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,103 @@
+#include "dynamics/random_addition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "packing/random.hpp"
+
+namespace superstep::dynamics {
+namespace {
+
+constexpr int most_attempts = 1'000'000;
+
+/// Bins as wide as a diameter or wider, each with the spheres whose centres lie in it.
+class Bins {
+ public:
+  Bins(const Box& box, double radius) : origin_(box.min) {
+    const Vec3 size = box.max - box.min;
+    const std::array<double, 3> lengths = {size.x, size.y, size.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      // More bins than this would only cost memory in a box that is nearly empty.
+      constexpr double most = 256;
+      count_[k] = static_cast<std::size_t>(std::clamp(std::floor(lengths[k] / (2 * radius)), 1.0, most));
+      width_[k] = lengths[k] / static_cast<double>(count_[k]);
+    }
+    members_.resize(count_[0] * count_[1] * count_[2]);
+  }
+
+  [[nodiscard]] bool free(Vec3 centre, double diameter) const {
+    const auto cell = cell_of(centre);
+    for (std::size_t z = below(cell[2]); z <= above(cell[2], 2); ++z)
+      for (std::size_t y = below(cell[1]); y <= above(cell[1], 1); ++y)
+        for (std::size_t x = below(cell[0]); x <= above(cell[0], 0); ++x)
+          for (const Vec3& other : members_[index({x, y, z})]) {
+            const Vec3 between = other - centre;
+            if (dot(between, between) < diameter * diameter) return false;
+          }
+    return true;
+  }
+
+  void add(Vec3 centre) { members_[index(cell_of(centre))].push_back(centre); }
+
+ private:
+  using Cell = std::array<std::size_t, 3>;
+  [[nodiscard]] Cell cell_of(Vec3 point) const {
+    const Vec3 from = point - origin_;
+    const std::array<double, 3> distance = {from.x, from.y, from.z};
+    Cell cell{};
+    for (std::size_t k = 0; k < 3; ++k)
+      cell[k] = std::min(static_cast<std::size_t>(distance[k] / width_[k]), count_[k] - 1);
+    return cell;
+  }
+  [[nodiscard]] std::size_t index(const Cell& cell) const {
+    return (cell[2] * count_[1] + cell[1]) * count_[0] + cell[0];
+  }
+  [[nodiscard]] static std::size_t below(std::size_t cell) { return cell == 0 ? 0 : cell - 1; }
+  [[nodiscard]] std::size_t above(std::size_t cell, std::size_t axis) const {
+    return std::min(cell + 1, count_[axis] - 1);
+  }
+
+  Vec3 origin_;
+  Cell count_{};
+  std::array<double, 3> width_{};
+  std::vector<std::vector<Vec3>> members_;
+};
+
+}  // namespace
+
+std::vector<Vec3> random_addition(const Box& box, std::size_t count, double radius, std::uint64_t seed) {
+  const Vec3 low = box.min + radius * Vec3{1, 1, 1}, high = box.max - radius * Vec3{1, 1, 1};
+  if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z))
+    throw NumericalError(
+        fmt::format("a sphere of radius {} m does not fit into the box; take a smaller radius", radius));
+  Random random(seed);
+  Bins bins(box, radius);
+  std::vector<Vec3> centres;
+  while (centres.size() < count) {
+    int attempts = 0;
+    Vec3 centre;
+    do {
+      if (++attempts > most_attempts) {
+        const Vec3 size = box.max - box.min;
+        const double fraction = static_cast<double>(count) * 4 / 3 * std::numbers::pi * radius * radius *
+                                radius / (size.x * size.y * size.z);
+        throw NumericalError(
+            fmt::format("random sequential addition placed {} of {} spheres and found no room for the next "
+                        "in {} attempts; the count asks for a volume fraction of {:.3f}, and the method jams "
+                        "at 0.38: take fewer or smaller spheres, or a larger box",
+                        centres.size(), count, most_attempts, fraction));
+      }
+      centre = {random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
+    } while (!bins.free(centre, 2 * radius));
+    bins.add(centre);
+    centres.push_back(centre);
+  }
+  return centres;
+}
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,19 @@
+#pragma once
+/// Random sequential addition: particles are dropped into a box one after the other, where there is room.
+
+#include <cstdint>
+#include <vector>
+
+#include "dynamics/walls.hpp"
+
+namespace superstep::dynamics {
+
+/// Centres of `count` spheres of one radius [m] that overlap neither each other nor the walls.
+/// O(count) as long as there is room; the same seed gives the same centres with every compiler.
+/// Throws NumericalError when no place is found for a sphere in a million attempts (random sequential
+/// addition jams at a volume fraction of 0.38), with the number that were placed. Source: Widom (1966),
+/// doi:10.1063/1.1726548; Zohdi (2014), section 7.1, remark 2.
+[[nodiscard]] std::vector<Vec3> random_addition(const Box& box, std::size_t count, double radius,
+                                                std::uint64_t seed);
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "bench/commands.hpp"
+#include "bench/motion_schemes.hpp"
+#include "bench/thermal_lanes.hpp"
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "temporary_case.hpp"
+
+namespace superstep {
+namespace {
+
+using test::CaseFolder;
+
+/// Thirty particles in a small press, a few hundredths of a second.
+std::string small_press(const CaseFolder& folder, const std::string& more = "") {
+  return folder.write("press.toml", R"(
+title = "small press"
+t_end = 0.04
+output_times = [0.02, 0.04]
+[material]
+density = 2000.0
+[thermal]
+conductivity = 1e5
+specific_heat = 100.0
+initial = 300.0
+walls = { lower = 1000.0, upper = 900.0, sides = 300.0 }
+[electric]
+conductivity = 0.1
+absorption = 0.5
+[dynamics]
+[dynamics.box]
+min = [0.0, 0.0, 0.0]
+max = [0.4, 0.4, 0.5]
+[dynamics.particles]
+count = 30
+radius = 0.05
+seed = 3
+[dynamics.contact]
+stiffness = 1e7
+damping = 0.2
+[dynamics.wall]
+stiffness = 1e7
+[dynamics.bond]
+stiffness = 1e6
+threshold = 0.05
+[[dynamics.phases]]
+name = "press, slowly"
+until = 0.04
+upper_wall = 0.35
+current = { lower = 1e4, upper = 1e4 }
+[bench]
+integrators = ["forward-euler", "rkc:rtol=1e-5"]
+motion_window = [0.01, 0.02]
+)" + more);
+}
+
+/// Runs a command with stdout out of the way.
+template <class Call>
+int quietly(Call call) {
+  testing::internal::CaptureStdout();
+  const int code = call();
+  testing::internal::GetCapturedStdout();
+  return code;
+}
+
+RunCommand run_of(const CaseFolder& folder, const std::string& out) {
+  RunCommand command;
+  command.case_file = small_press(folder);
+  command.out = folder.file(out);
+  command.common.quiet = true;
+  return command;
+}
+
+TEST(RunSintering, WritesTheFilesOfTheContract) {
+  const CaseFolder folder;
+  const RunCommand command = run_of(folder, "out");
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  const std::string history = folder.read("out/history.csv");
+  EXPECT_TRUE(history.starts_with(
+      "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,contacts,"
+      "step,iterations,rejections\n0,\"press, slowly\",0."))
+      << history.substr(0, 200);
+  const std::string last = folder.read("out/final.csv");
+  EXPECT_TRUE(last.starts_with("id,x,y,z,r,current,temperature,vx,vy,vz\n0,"));
+  EXPECT_EQ(std::count(last.begin(), last.end(), '\n'), 31);
+  EXPECT_TRUE(folder.has("out/snapshots/particles_0000.csv"));
+  EXPECT_EQ(folder.read("out/snapshots/particles_0001.csv"), last) << "the last output is the end";
+  const std::string figure = folder.read("out/history.svg");
+  EXPECT_TRUE(figure.starts_with("<svg ") && figure.ends_with("</svg>\n"));
+  EXPECT_NE(figure.find("press, slowly"), std::string::npos) << "phases are named";
+  EXPECT_EQ(figure.find("nan"), std::string::npos);
+  const auto json = nlohmann::json::parse(folder.read("out/run.json"));
+  EXPECT_EQ(json["outcome"]["status"], "ok");
+  EXPECT_EQ(json["motion"]["phase_ends"].size(), 1U);
+  EXPECT_EQ(json["motion"]["phase_ends"][0]["time"], 0.04);
+  EXPECT_GE(json["motion"]["cpu_parts_s"]["forces"], 0.0);
+}
+
+TEST(RunSintering, RestartFromACheckpointGivesTheSameBytes) {
+  const CaseFolder folder;
+  RunCommand command = run_of(folder, "whole");
+  command.checkpoint = 0.03;
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  // The first checkpoint is overwritten at the end: stop a run there by its own t_end instead.
+  RunCommand part = command;
+  part.case_file = folder.write("part.toml", [&] {
+    std::string text = folder.read("press.toml");
+    text.replace(text.find("t_end = 0.04"), 12, "t_end = 0.02");
+    text.replace(text.find("[0.02, 0.04]"), 12, "[0.02]");
+    return text;
+  }());
+  part.out = folder.file("part");
+  ASSERT_EQ(quietly([&] { return execute(part); }), 0);
+  RunCommand rest = run_of(folder, "rest");
+  rest.restart = folder.file("part/checkpoint.bin");
+  ASSERT_EQ(quietly([&] { return execute(rest); }), 0);
+  EXPECT_EQ(folder.read("rest/final.csv"), folder.read("whole/final.csv"));
+  EXPECT_EQ(folder.read("rest/history.csv"), folder.read("whole/history.csv"));
+
+  rest.restart = folder.file("whole/checkpoint.bin");
+  EXPECT_THROW((void)execute(rest), InputError) << "there is nothing left to run";
+}
+
+TEST(RunSintering, ThermalIntegratorsGetAFolderEach) {
+  const CaseFolder folder;
+  RunCommand command = run_of(folder, "out");
+  command.integrators = {"staggered", "rkc:rtol=1e-5"};
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  EXPECT_TRUE(folder.has("out/staggered/final.csv"));
+  EXPECT_TRUE(folder.has("out/rkc_rtol=1e-5/final.csv"));
+  command.integrators = {"rkq"};
+  EXPECT_THROW((void)execute(command), UsageError);
+}
+
+TEST(RunSintering, FailureKeepsWhatWasReached) {
+  const CaseFolder folder;
+  RunCommand command = run_of(folder, "out");
+  std::string text = folder.read("press.toml");
+  text.replace(text.find("[dynamics.wall]\nstiffness = 1e7"), 31, "[dynamics.wall]\nstiffness = 1.0");
+  command.case_file = folder.write("soft.toml", text);
+  EXPECT_EQ(quietly([&] { return execute(command); }), 4);
+  const auto json = nlohmann::json::parse(folder.read("out/run.json"));
+  EXPECT_EQ(json["outcome"]["status"], "failed");
+  EXPECT_NE(std::string(json["outcome"]["reason"]).find("escapes through the upper wall"), std::string::npos);
+  EXPECT_GT(json["outcome"]["t_reached"], 0.0);
+  EXPECT_TRUE(folder.has("out/final.csv"));
+  const std::string history = folder.read("out/history.csv");
+  EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 2) << "steps that went well";
+}
+
+TEST(RunSintering, CurrentWithoutAPathIsAWarning) {
+  const CaseFolder folder;
+  RunCommand command = run_of(folder, "out");
+  std::string text = folder.read("press.toml");
+  text.replace(text.find("count = 30"), 10, "count = 1");  // it hangs in the air all the time
+  command.case_file = folder.write("one.toml", text);
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  const auto json = nlohmann::json::parse(folder.read("out/run.json"));
+  ASSERT_EQ(json["warnings"].size(), 1U);
+  EXPECT_NE(std::string(json["warnings"][0]).find("no particle has a path"), std::string::npos);
+}
+
+TEST(RunSintering, OptionsOfMovingParticlesAreRefusedElsewhere) {
+  const CaseFolder folder;
+  RunCommand command;
+  command.case_file = write_rod(folder, test::Rod{});
+  command.checkpoint = 1;
+  EXPECT_THROW((void)execute(command), UsageError);
+}
+
+TEST(BenchSintering, LanesMeasureErrorAndWork) {
+  const CaseFolder folder;
+  const auto one = dynamics::load_sintering_case(small_press(folder));
+  HarnessOptions options;
+  options.reference = "exponential:rtol=1e-12";
+  options.repetitions = 2;
+  Progress progress(false);
+  const BenchCase result = bench_thermal_lanes(one, options, progress);
+  ASSERT_EQ(result.rows.size(), 2U);
+  const BenchRow &euler = result.rows[0], &rkc = result.rows[1];
+  EXPECT_TRUE(euler.ok() && rkc.ok());
+  EXPECT_EQ(euler.speedup_stepping, 1.0);
+  EXPECT_GT(*euler.errors.rms, 0);
+  EXPECT_LT(*rkc.errors.rms, 0.1 * *euler.errors.rms) << "its tolerance asks for 1e-5 of the span";
+  EXPECT_LE(*rkc.errors.rms, *rkc.errors.max);
+  EXPECT_GT(*euler.rhs, 0U);
+}
+
+TEST(BenchSintering, MotionErrorsFallWithTheStep) {
+  const CaseFolder folder;
+  const auto one = dynamics::load_sintering_case(small_press(folder));
+  Progress progress(false);
+  const MotionComparison result = compare_motion_schemes(one, progress);
+  EXPECT_GT(result.travelled, 0);
+  std::vector<double> plain;
+  for (const auto& row : result.rows) {
+    EXPECT_EQ(row.status, "ok");
+    if (row.scheme == "plain") plain.push_back(row.error_position);
+  }
+  ASSERT_EQ(plain.size(), 5U);
+  EXPECT_LT(plain.back(), 0.1 * plain.front())
+      << "order 1, steps 95 times smaller, but for contacts that begin";
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "press.hpp"
+
+namespace superstep {
+namespace {
+
+using namespace test;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Outcomes, EscapingParticleIsNamedWithItsWall) {
+  Model model = quiet_model(0.2);
+  model.wall.stiffness = 10;  // far too soft to stop it
+  Cloud cloud;
+  cloud.add({0, 0, 0});
+  cloud.add({0, 0.1, -0.05}, {0, 3, 0}, 0.02);
+  Motion motion(model, cloud.particles, SteppingSettings{});
+  motion.start(cloud.state);
+  const Outcome outcome = motion.advance(0.2);
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_TRUE(contains(outcome.reason, "particle 1 ")) << outcome.reason;
+  EXPECT_TRUE(contains(outcome.reason, "+y wall")) << outcome.reason;
+  EXPECT_GT(motion.history().size(), 3U) << "what came before is kept";
+  EXPECT_EQ(motion.advance(0.3).status, Status::failed) << "and it stays a failure";
+}
+
+TEST(Outcomes, StepCollapseNamesTheParticleAndKeepsTheState) {
+  const Model model = quiet_model();
+  Cloud cloud;
+  cloud.add({-0.5, 0, 0});
+  cloud.add({-0.1, 0, 0}, {1, 0, 0});
+  cloud.add({0.1, 0, 0}, {-1, 0, 0});
+  SteppingSettings settings;
+  settings.tolerance_position = 1e-300;  // nobody can meet that in contact, in two iterations
+  settings.iterations = 2;
+  settings.smallest_step = 1e-4;
+  Motion motion(model, cloud.particles, settings);
+  motion.start(cloud.state);
+  const Outcome outcome = motion.advance(0.1);
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_TRUE(contains(outcome.reason, "smallest_step")) << outcome.reason;
+  EXPECT_TRUE(contains(outcome.reason, "particle 1 ") || contains(outcome.reason, "particle 2 "))
+      << outcome.reason;
+  EXPECT_EQ(motion.state().time, motion.history().back().time);
+  EXPECT_GT(motion.state().time, 0.02) << "free flight was no trouble";
+}
+
+TEST(Outcomes, CoincidentCentresAreOneClearFailure) {
+  for (const auto scheme : {SteppingSettings::Scheme::staggered, SteppingSettings::Scheme::plain}) {
+    const Model model = quiet_model();
+    Cloud cloud;
+    cloud.add({0.5, 0, 0});
+    cloud.add({0, 0, 0});
+    cloud.add({0, 0, 0});
+    SteppingSettings settings;
+    settings.scheme = scheme;
+    Motion motion(model, cloud.particles, settings);
+    motion.start(cloud.state);
+    const Outcome outcome = motion.advance(0.1);
+    EXPECT_EQ(outcome.status, Status::failed);
+    EXPECT_TRUE(contains(outcome.reason, "particle 1 ")) << outcome.reason;
+    EXPECT_TRUE(contains(outcome.reason, "not finite")) << outcome.reason;
+    EXPECT_EQ(motion.state().time, 0);
+  }
+}
+
+TEST(Outcomes, NanVelocityIsOneClearFailure) {
+  const Model model = quiet_model();
+  Cloud cloud;
+  cloud.add({0.5, 0, 0});
+  cloud.add({0, 0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  Motion motion(model, cloud.particles, SteppingSettings{});
+  motion.start(cloud.state);
+  const Outcome outcome = motion.advance(0.1);
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_TRUE(contains(outcome.reason, "particle 1 ")) << outcome.reason;
+}
+
+TEST(Outcomes, ZeroParticlesAreAnInputError) {
+  const Model model = quiet_model();
+  EXPECT_THROW(Motion(model, Particles{}, SteppingSettings{}), InputError);
+}
+
+TEST(Outcomes, ImpossibleSettingsAreInputErrors) {
+  const Model model = quiet_model();
+  Cloud cloud;
+  cloud.add({0, 0, 0});
+  for (const auto& spoil : std::vector<void (*)(SteppingSettings&)>{
+           [](SteppingSettings& s) { s.phi = 1.5; }, [](SteppingSettings& s) { s.iterations = 1; },
+           [](SteppingSettings& s) { s.largest_step = 1e-12; },
+           [](SteppingSettings& s) { s.bounds.growth = 1; }}) {
+    SteppingSettings settings;
+    spoil(settings);
+    EXPECT_THROW(Motion(model, cloud.particles, settings), InputError);
+  }
+  SteppingSettings settings;
+  settings.thermal_integrator = "rkq";
+  EXPECT_THROW(Motion(model, cloud.particles, settings), UsageError);
+}
+
+TEST(Outcomes, NoPathMeansNoCurrent) {
+  Model model = quiet_model();
+  model.electric.model = CurrentModel::averaging;
+  Phase phase = model.schedule.phases().front();
+  phase.lower = phase.upper = 1e5;
+  model.schedule = Schedule({phase});
+  Cloud cloud;
+  cloud.add({0, 0, 0});
+  Motion motion(model, cloud.particles, SteppingSettings{});
+  motion.start(cloud.state);
+  ASSERT_TRUE(motion.advance(0.05).ok());
+  EXPECT_EQ(motion.connected_in_step(), 0U);
+  EXPECT_EQ(motion.state().temperature[0], 300);
+}
+
+TEST(Outcomes, FailingThermalIntegratorIsReportedByName) {
+  Model model = quiet_model(0.2);
+  model.thermal.conductivity = 1e9;
+  const Cloud cloud = random_cloud(40, 0.18, 3, 0.1);
+  SteppingSettings settings;
+  settings.thermal_integrator = "forward-euler:step=1e-3";
+  Motion motion(model, cloud.particles, settings);
+  motion.start(cloud.state);
+  const Outcome outcome = motion.advance(1);
+  EXPECT_FALSE(outcome.ok());
+  EXPECT_TRUE(contains(outcome.reason, "forward-euler:step=1e-3")) << outcome.reason;
+}
+
+TEST(Outcomes, StopFlagEndsAtAStep) {
+  const Model model = quiet_model();
+  Cloud cloud;
+  cloud.add({0, 0, 0}, {1, 0, 0});
+  const std::atomic<bool> stop{true};
+  Motion motion(model, cloud.particles, SteppingSettings{});
+  motion.stop = &stop;
+  motion.start(cloud.state);
+  EXPECT_EQ(motion.advance(1).status, Status::interrupted);
+  EXPECT_EQ(motion.history().size(), 2U);
+}
+
+}  // namespace
+}  // namespace superstep
