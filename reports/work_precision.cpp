@@ -102,7 +102,8 @@ std::string winners_table(const WorkPrecision& study, bool color) {
 std::string family_of(const Spec& spec) {
   std::string family = spec.name;
   for (const auto& [key, value] : spec.settings)
-    if (key != "rtol" && key != "step" && key != "fraction" && key != "n") family += " " + key + "=" + value;
+    if (key != "rtol" && key != "step" && key != "fraction" && key != "n")
+      family.append(" ").append(key).append("=").append(value);
   return family;
 }
 
