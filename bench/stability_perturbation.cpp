@@ -14,7 +14,10 @@ namespace superstep {
 PerturbationRhs::PerturbationRhs(Rhs& scene)
     : Rhs(scene.size(), scene.traits(), {scene.fields().begin(), scene.fields().end()}), scene_(scene) {
   if (!scene.traits().linear || !scene.traits().symmetric)
-    throw InputError("stability: the laboratory measures modes, which only a linear, symmetric scene has");
+    throw InputError(
+        "stability: the laboratory measures modes, which only a linear, symmetric scene has; ask for one "
+        "field of "
+        "it, with constant conductances and no radiation");
   values_version_ = scene.values_version();
   pattern_version_ = scene.pattern_version();
 }

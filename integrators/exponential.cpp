@@ -52,7 +52,9 @@ class Exponential final : public Integrator {
   void start(double t, std::span<const double> y) override { method_->start(t, y); }
   Outcome advance(double t_out) override { return method_->advance(t_out); }
   [[nodiscard]] double time() const noexcept override { return method_ ? method_->time() : 0; }
-  [[nodiscard]] std::span<const double> state() const noexcept override { return method_->state(); }
+  [[nodiscard]] std::span<const double> state() const noexcept override {
+    return method_ ? method_->state() : std::span<const double>();
+  }
   [[nodiscard]] const Statistics& statistics() const noexcept override {
     static const Statistics nothing;
     return method_ ? method_->statistics() : nothing;
