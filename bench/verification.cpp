@@ -93,7 +93,10 @@ void measure_probe_errors(const ProbeHistory& run, const ProbeHistory& reference
   double sum = 0;
   for (const double e : error) sum += e;
   errors.probe_mean = sum / static_cast<double>(length);
-  if (const auto fit = fit_decay(time, error)) {
+  // An error grows from 0 before it decays: the fit begins at its maximum.
+  const auto largest_error = static_cast<std::size_t>(std::max_element(error.begin(), error.end()) - error.begin());
+  const std::span<const double> times(time), errors_at(error);
+  if (const auto fit = fit_decay(times.subspan(largest_error), errors_at.subspan(largest_error))) {
     errors.decay_rate = fit->rate;
     errors.decay_r2 = fit->r2;
   }
