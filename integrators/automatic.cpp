@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrators/detail/delegating.hpp"
 #include "integrators/detail/spectral_radius.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
@@ -58,7 +59,7 @@ struct Candidate {
   double sweeps = 0;
 };
 
-class Automatic final : public Integrator {
+class Automatic final : public DelegatingIntegrator {
  public:
   explicit Automatic(const Options& options) : rtol_(options.number("rtol").value_or(default_rtol)) {}
 
@@ -66,16 +67,6 @@ class Automatic final : public Integrator {
     const std::string spec = choose(rhs, plan);
     method_ = make_integrator(spec);
     method_->prepare(rhs, plan);
-  }
-  void start(double t, std::span<const double> y) override { method_->start(t, y); }
-  Outcome advance(double t_out) override { return method_->advance(t_out); }
-  [[nodiscard]] double time() const noexcept override { return method_ ? method_->time() : 0; }
-  [[nodiscard]] std::span<const double> state() const noexcept override {
-    return method_ ? method_->state() : std::span<const double>();
-  }
-  [[nodiscard]] const Statistics& statistics() const noexcept override {
-    static const Statistics nothing;
-    return method_ ? method_->statistics() : nothing;
   }
   [[nodiscard]] std::string choice() const override { return choice_; }
 
@@ -109,7 +100,6 @@ class Automatic final : public Integrator {
   }
 
   double rtol_;
-  std::unique_ptr<Integrator> method_;
   std::string choice_;
 };
 

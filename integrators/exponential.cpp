@@ -3,6 +3,7 @@
 /// doi:10.1137/S0036142995280572.
 
 #include "integrators/detail/chebyshev_propagator.hpp"
+#include "integrators/detail/delegating.hpp"
 #include "integrators/detail/lanczos_propagator.hpp"
 #include "integrators/detail/one_way_exponential.hpp"
 #include "integrators/registry.hpp"
@@ -27,7 +28,7 @@ std::vector<OptionKey> exponential_keys() {
 }
 
 /// Takes the propagator that the scene asks for.
-class Exponential final : public Integrator {
+class Exponential final : public DelegatingIntegrator {
  public:
   explicit Exponential(const Options& options)
       : rtol_(options.number("rtol").value_or(1e-8)), basis_(options.word("basis", "chebyshev")) {}
@@ -35,9 +36,8 @@ class Exponential final : public Integrator {
   void prepare(Rhs& rhs, const Plan& plan) override {
     if (!exactly_solvable(rhs))
       throw Refused(
-          "the exponential needs constant conductances, sources and fixed values and no radiation; a "
-          "potential "
-          "may drive the temperature, but not the other way round");
+          "the exponential needs constant conductances, sources and fixed values and no radiation; "
+          "a potential may drive the temperature, but not the other way round");
     const bool coupled = !rhs.traits().linear;
     if (coupled && basis_ == "lanczos")
       throw Refused("basis=lanczos is for one field; leave it out where a potential drives the temperature");
@@ -49,21 +49,10 @@ class Exponential final : public Integrator {
       method_ = std::make_unique<ChebyshevPropagator>(rtol_);
     method_->prepare(rhs, plan);
   }
-  void start(double t, std::span<const double> y) override { method_->start(t, y); }
-  Outcome advance(double t_out) override { return method_->advance(t_out); }
-  [[nodiscard]] double time() const noexcept override { return method_ ? method_->time() : 0; }
-  [[nodiscard]] std::span<const double> state() const noexcept override {
-    return method_ ? method_->state() : std::span<const double>();
-  }
-  [[nodiscard]] const Statistics& statistics() const noexcept override {
-    static const Statistics nothing;
-    return method_ ? method_->statistics() : nothing;
-  }
 
  private:
   double rtol_;
   std::string basis_;
-  std::unique_ptr<Integrator> method_;
 };
 
 }  // namespace
