@@ -17,7 +17,7 @@ struct Arguments {
   bool quiet = false, json = false;
 
   std::vector<std::string> cases, integrators;
-  std::string tolerance, out, reference;
+  std::string tolerance, out, reference, baseline;
   std::optional<std::string> repetitions;
   bool no_cache = false, work_precision = false, quick = false;
 

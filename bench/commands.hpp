@@ -55,6 +55,16 @@ struct StabilityCommand {
   bool quick = false;  ///< coarser sets of parameters
 };
 
+struct GateCommand {
+  CommonOptions common;
+  std::string results, baseline;  ///< results.json, or a folder that holds it
+};
+
+struct CompareCommand {
+  CommonOptions common;
+  std::string a, b;
+};
+
 struct PackCommand {
   CommonOptions common;
   PackSettings settings;
@@ -71,7 +81,7 @@ struct ShowText {
 };
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
-                             PackCommand, ListCommand, ShowText>;
+                             GateCommand, CompareCommand, PackCommand, ListCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
@@ -79,6 +89,8 @@ int execute(const BenchCommand& command);
 int execute(const WorkPrecisionCommand& command);
 int execute(const InfoCommand& command);
 int execute(const StabilityCommand& command);
+int execute(const GateCommand& command);
+int execute(const CompareCommand& command);
 int execute(const PackCommand& command);
 int execute(const ListCommand& command);
 int execute(const ShowText& command);

@@ -10,6 +10,7 @@
 #include "bench/run_one.hpp"
 #include "bench/scene_facts.hpp"
 #include "bench/verification.hpp"
+#include "bench/yardstick.hpp"
 #include "core/options.hpp"
 #include "core/stopwatch.hpp"
 
@@ -22,7 +23,7 @@ struct Contender {
   Outcome outcome;
   bool verified = false;
   double time_per_sweep = 0;  ///< s
-  std::vector<double> cpu_total, cpu_stepping, wall_stepping;
+  std::vector<double> cpu_total, cpu_stepping, wall_stepping, yardstick;
 };
 
 class CaseBench {
@@ -61,6 +62,7 @@ class CaseBench {
   const HarnessOptions& options_;
   Progress& progress_;
   ProbeSet probes_;
+  Yardstick yardstick_;
   std::optional<Reference> reference_;
   std::vector<Contender> contenders_;
 };
@@ -173,12 +175,14 @@ void CaseBench::time_round(std::size_t round) {
 }
 
 void CaseBench::time_one(Contender& contender) {
+  const double yardstick = yardstick_.seconds();
   const RunResult run = run_one(scene_, contender.row.spec, {.stop = options_.stop});
   if (run.outcome.status == Status::interrupted) return;
   if (!run.outcome.ok()) return fail(contender, run.outcome);
   contender.cpu_total.push_back(cpu_setup_ + run.cpu_prepare + run.cpu_stepping);
   contender.cpu_stepping.push_back(run.cpu_stepping);
   contender.wall_stepping.push_back(run.wall_stepping);
+  contender.yardstick.push_back(yardstick);
 }
 
 Number quotient(double numerator, double denominator) {
@@ -210,6 +214,8 @@ void CaseBench::finish(BenchCase& out) {
     row.cpu_total = summarize(contender.cpu_total);
     row.cpu_stepping = summarize(contender.cpu_stepping);
     row.wall_stepping = summarize(contender.wall_stepping);
+    row.cpu_stepping_samples = contender.cpu_stepping;
+    row.yardstick_samples = contender.yardstick;
   }
   compare_with_baseline();
   for (auto& contender : contenders_)
