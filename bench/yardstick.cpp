@@ -27,15 +27,25 @@ Yardstick::Yardstick() : row_begin_{0} {
   next_ = state_;
 }
 
-double Yardstick::seconds() {
+void Yardstick::work() {
   constexpr int sweeps = 200;
   constexpr double step = 0.1;  // stable: the largest row sum is 6
-  const double begin = process_cpu_seconds();
   for (int k = 0; k < sweeps; ++k) {
     reference_sweep({row_begin_, column_, rate_}, {.y1 = state_.data(), .a = 1, .d = step}, next_.data());
     std::swap(state_, next_);
   }
-  return process_cpu_seconds() - begin;
+}
+
+double Yardstick::seconds(double at_least) {
+  const double begin = process_cpu_seconds();
+  double elapsed = 0;
+  int times = 0;
+  do {
+    work();
+    ++times;
+    elapsed = process_cpu_seconds() - begin;
+  } while (elapsed < at_least);
+  return elapsed / times;
 }
 
 }  // namespace superstep

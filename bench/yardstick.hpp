@@ -11,10 +11,12 @@ namespace superstep {
 class Yardstick {
  public:
   Yardstick();
-  /// CPU time of one measurement [s], about a hundredth of a second.
-  [[nodiscard]] double seconds();
+  /// CPU time of the work [s], about a hundredth of a second; the mean of as many as fill `at_least` [s].
+  [[nodiscard]] double seconds(double at_least = 0);
 
  private:
+  void work();
+
   std::vector<std::int64_t> row_begin_;
   std::vector<std::int32_t> column_;
   std::vector<double> rate_, state_, next_;
