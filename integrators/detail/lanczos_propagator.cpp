@@ -135,7 +135,7 @@ Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
       const double factor = length_ * responses[k].value[j];
       for (std::size_t p = 0; p < plan().probes.size(); ++p)
         outputs[k].probes[p] += factor * v_[plan().probes[p]];
-      for_each_entry(v_.size(), [&](std::size_t i) { outputs[k].state[i] += factor * v_[i]; });
+      for_each_entry(outputs[k].state.size(), [&](std::size_t i) { outputs[k].state[i] += factor * v_[i]; });
       if (plan().track_inflow) outputs[k].inflow += length_ * responses[k].integral[j] * inflow_change;
     }
     if (j + 1 < m) next_vector(j);
