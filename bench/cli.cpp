@@ -90,6 +90,22 @@ Command make_stability(const Arguments& values) {
                           .quick = values.quick};
 }
 
+Command make_gate(const Arguments& values) {
+  if (values.cases.size() != 1)
+    throw UsageError("gate: give one results.json, or the folder that holds it; see superstep gate --help");
+  if (values.baseline.empty())
+    throw UsageError("gate: --baseline FILE is missing; see superstep gate --help");
+  return GateCommand{common_options(values), values.cases.front(), values.baseline};
+}
+
+Command make_compare(const Arguments& values) {
+  if (values.cases.size() != 2)
+    throw UsageError(
+        "compare: give two results.json or folders that hold them; see superstep compare --help");
+  if (values.json) throw UsageError("compare: writes a Markdown table; leave --json out");
+  return CompareCommand{common_options(values), values.cases[0], values.cases[1]};
+}
+
 Container container_of(const Arguments& values, double unit) {
   const auto length = [&](const char* option, const std::string& text) {
     if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a {}", option, values.container));
@@ -157,6 +173,8 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   if (values.command == "bench") return make_bench(values);
   if (values.command == "info") return InfoCommand{common_options(values), single_case(values, "info")};
   if (values.command == "stability") return make_stability(values);
+  if (values.command == "gate") return make_gate(values);
+  if (values.command == "compare") return make_compare(values);
   if (values.command == "pack") return make_pack(values);
   if (values.command == "report") return make_report(values);
   if (values.command == "completion") return make_completion(values);

@@ -163,6 +163,19 @@ void add_stability(CLI::App& app, Arguments& values) {
   command.add_flag("--quick", values.quick, "fewer parameter sets, done in seconds");
 }
 
+void add_gate(CLI::App& app, Arguments& values) {
+  auto& gate = add_command(app, values, "gate",
+                           "is this build as good as a recorded one? exit 0 yes, 5 no, 6 cannot tell",
+                           "  superstep bench cases/nial_thermal.toml --repetitions 11 --out result\n"
+                           "  superstep gate result --baseline reports/baselines/nial_thermal.json");
+  gate.add_option("RESULTS", values.cases, "results.json of superstep bench, or its folder")->type_name("");
+  gate.add_option("--baseline", values.baseline, "the recorded results.json")->type_name("FILE");
+  auto& compare = add_command(app, values, "compare", "two sets of results side by side, with intervals",
+                              "  superstep compare before after");
+  compare.add_option("RESULTS", values.cases, "results.json of superstep bench, or their folders")
+      ->type_name("");
+}
+
 void add_pack(CLI::App& app, Arguments& values) {
   auto& command = add_command(
       app, values, "pack", "generate a packing of spheres",
@@ -207,6 +220,7 @@ void add_commands(CLI::App& app, Arguments& values) {
   add_bench(app, values);
   add_info(app, values);
   add_stability(app, values);
+  add_gate(app, values);
   add_pack(app, values);
   add_report(app, values);
   add_completion(app, values);

@@ -19,7 +19,7 @@ struct Arguments {
   bool quiet = false, json = false;
 
   std::vector<std::string> cases, integrators;
-  std::string tolerance, out, reference, against, checkpoint, restart;
+  std::string tolerance, out, reference, against, checkpoint, restart, baseline;
   std::optional<std::string> repetitions;
   bool no_cache = false, work_precision = false, quick = false, report = false, vtk = false, markdown = false;
 

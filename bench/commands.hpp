@@ -60,6 +60,16 @@ struct StabilityCommand {
   bool quick = false;  ///< coarser sets of parameters
 };
 
+struct GateCommand {
+  CommonOptions common;
+  std::string results, baseline;  ///< results.json, or a folder that holds it
+};
+
+struct CompareCommand {
+  CommonOptions common;
+  std::string a, b;
+};
+
 struct PackCommand {
   CommonOptions common;
   PackSettings settings;
@@ -90,7 +100,7 @@ struct ShowText {
 };
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
-                             PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
+                             GateCommand, CompareCommand, PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
 
 /// `execute` of a case with moving particles, i.e. with a table [dynamics].
 int run_sintering(const RunCommand& command);
@@ -103,6 +113,8 @@ int execute(const BenchCommand& command);
 int execute(const WorkPrecisionCommand& command);
 int execute(const InfoCommand& command);
 int execute(const StabilityCommand& command);
+int execute(const GateCommand& command);
+int execute(const CompareCommand& command);
 int execute(const PackCommand& command);
 int execute(const ListCommand& command);
 int execute(const ReportCommand& command);

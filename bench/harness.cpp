@@ -11,6 +11,7 @@
 #include "bench/run_one.hpp"
 #include "bench/scene_facts.hpp"
 #include "bench/verification.hpp"
+#include "bench/yardstick.hpp"
 #include "core/options.hpp"
 #include "core/stopwatch.hpp"
 
@@ -23,7 +24,7 @@ struct Contender {
   Outcome outcome;
   bool verified = false;
   double time_per_sweep = 0;  ///< s
-  std::vector<double> cpu_total, cpu_stepping, wall_stepping;
+  std::vector<double> cpu_total, cpu_stepping, wall_stepping, yardstick;
 };
 
 class CaseBench {
@@ -64,6 +65,7 @@ class CaseBench {
   const HarnessOptions& options_;
   Progress& progress_;
   ProbeSet probes_;
+  Yardstick yardstick_;
   std::optional<Reference> reference_;
   std::vector<Contender> contenders_;
   CaseObservations observations_;
@@ -192,12 +194,17 @@ void CaseBench::time_round(std::size_t round) {
 }
 
 void CaseBench::time_one(Contender& contender) {
+  // Before and after, and the longer the longer the run: both then see the same state of the machine.
+  constexpr double share = 0.04;
+  const double length = contender.cpu_stepping.empty() ? 0 : share * contender.cpu_stepping.back();
+  const double before = yardstick_.seconds(length);
   const RunResult run = run_one(scene_, contender.row.spec, {.stop = options_.stop});
   if (run.outcome.status == Status::interrupted) return;
   if (!run.outcome.ok()) return fail(contender, run.outcome);
   contender.cpu_total.push_back(cpu_setup_ + run.cpu_prepare + run.cpu_stepping);
   contender.cpu_stepping.push_back(run.cpu_stepping);
   contender.wall_stepping.push_back(run.wall_stepping);
+  contender.yardstick.push_back(0.5 * (before + yardstick_.seconds(length)));
 }
 
 Number quotient(double numerator, double denominator) {
@@ -229,6 +236,8 @@ void CaseBench::finish(BenchCase& out) {
     row.cpu_total = summarize(contender.cpu_total);
     row.cpu_stepping = summarize(contender.cpu_stepping);
     row.wall_stepping = summarize(contender.wall_stepping);
+    row.cpu_stepping_samples = contender.cpu_stepping;
+    row.yardstick_samples = contender.yardstick;
   }
   compare_with_baseline();
   for (auto& contender : contenders_)

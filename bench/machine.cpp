@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "build_info.hpp"
+#include "rhs/sweep.hpp"
 
 namespace superstep {
 namespace {
@@ -82,6 +83,7 @@ std::vector<Fact> machine_facts() {
           {"compiler", build::compiler},
           {"build_type", build::build_type},
           {"flags", build::flags},
+          {"sweep", sweep_kernels().front().name},
           {"blas", blas()},
           {"blas_threads", blas_threads()}};
 }

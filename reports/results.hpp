@@ -40,6 +40,8 @@ struct BenchRow {
   double t_end = 0;  ///< s
   int repetitions = 0, threads = 1;
   std::optional<Timing> cpu_total, cpu_stepping, wall_stepping;
+  std::vector<double> cpu_stepping_samples;  ///< [repetitions] s, in the order of the rounds
+  std::vector<double> yardstick_samples;     ///< [repetitions] s, a fixed piece of work around each
   Number speedup_total, speedup_stepping, speedup_theory;  ///< against the baseline of the case
   std::optional<std::uint64_t> steps, rejected, rhs, jacobians, factorizations, solves, max_stages;
   Number peak_memory_mb;                 ///< 1e6 bytes, of the process during the method's warm-up run

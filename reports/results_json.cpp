@@ -41,10 +41,13 @@ Json spread_json(const std::optional<Timing>& timing) {
 Json row_json(const std::vector<Column>& columns, const BenchRow& row) {
   Json out;
   for (const auto& column : columns) out[column.name] = std::visit(CellJson{}, column.cell(row));
+  out["spec"] = row.spec;
   out["choice"] = row.choice;
   out["spread"] = {{"cpu_total_s", spread_json(row.cpu_total)},
                    {"cpu_stepping_s", spread_json(row.cpu_stepping)},
                    {"wall_stepping_s", spread_json(row.wall_stepping)}};
+  out["cpu_stepping_samples_s"] = row.cpu_stepping_samples;
+  out["yardstick_samples_s"] = row.yardstick_samples;
   return out;
 }
 

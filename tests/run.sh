@@ -1,9 +1,23 @@
 #!/usr/bin/env bash
-# Every test on a bare machine: sets it up, builds, runs. SUPERSTEP_SANITIZE=1 runs them under the address and
-# undefined-behaviour sanitizers.
+# Every test on a bare machine: sets it up, builds, runs, and asks the performance gate about the small cases.
+# SUPERSTEP_SANITIZE=1 runs the tests under the address and undefined-behaviour sanitizers.
 set -euo pipefail
 # shellcheck source=bench/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../bench/setup.sh"
+
+# Work and errors of the small cases must be those of the baseline; times block only when they are clearly
+# worse: exit code 6, inconclusive, is no failure here.
+gate() {
+  local results status=0
+  results=$(mktemp -d)
+  # shellcheck disable=SC2064
+  trap "rm -rf '$results'" RETURN
+  build/release/bin/superstep bench cases/chain.toml cases/lattice.toml --repetitions 7 --no-cache --quiet \
+    --out "$results" >"$results/table.txt"
+  build/release/bin/superstep gate "$results" --baseline reports/baselines/small.json || status=$?
+  if ((status == 6)); then status=0; fi
+  return "$status"
+}
 
 preset=release
 if [[ ${SUPERSTEP_SANITIZE:-0} == 1 ]]; then preset=asan; fi
@@ -13,3 +27,4 @@ fetch_chart_library
 fetch_node_modules tests/browser "tests of the report in a browser are skipped"
 build_preset "$preset"
 ctest --test-dir "build/$preset" --output-on-failure -j"$(nproc)"
+if [[ $preset == release ]]; then gate; fi

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "integrators/detail/chebyshev_exponential.hpp"
 
 namespace superstep {
@@ -41,7 +42,7 @@ void ChebyshevPropagator::add_pair(std::span<Output> outputs, std::size_t k, std
     if (!outputs[m].full || k >= coefficients_[m].size()) continue;
     const double a = coefficients_[m][k], b = coefficient(coefficients_[m], k + 1);
     double* state = outputs[m].state.data();
-    for (std::size_t i = 0; i < u.size(); ++i) state[i] += a * u[i] + b * next[i];
+    for_each_entry(u.size(), [&](std::size_t i) { state[i] += a * u[i] + b * next[i]; });
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "integrators/detail/chebyshev_exponential.hpp"
 
 namespace superstep {
@@ -70,10 +71,10 @@ bool LanczosPropagator::next_vector(std::size_t j) {
   const double coupling = j > 0 ? beta_[j - 1] : 0;
   rhs().linear_stage({.y1 = v_.data(), .a = 0, .d = -1, .y2 = previous_.data(), .b = -coupling}, w_);
   if (j == alpha_.size()) alpha_.push_back(dot(v_, w_));
-  for (std::size_t i = 0; i < w_.size(); ++i) w_[i] -= alpha_[j] * v_[i];
+  for_each_entry(w_.size(), [&](std::size_t i) { w_[i] -= alpha_[j] * v_[i]; });
   if (j == beta_.size()) beta_.push_back(std::sqrt(dot(w_, w_)));
   if (!(beta_[j] > 1e-14 * radius())) return false;
-  for (std::size_t i = 0; i < w_.size(); ++i) w_[i] /= beta_[j];
+  for_each_entry(w_.size(), [&](std::size_t i) { w_[i] /= beta_[j]; });
   std::swap(previous_, v_);
   std::swap(v_, w_);
   return true;
@@ -134,7 +135,7 @@ Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
       const double factor = length_ * responses[k].value[j];
       for (std::size_t p = 0; p < plan().probes.size(); ++p)
         outputs[k].probes[p] += factor * v_[plan().probes[p]];
-      for (std::size_t i = 0; i < outputs[k].state.size(); ++i) outputs[k].state[i] += factor * v_[i];
+      for_each_entry(outputs[k].state.size(), [&](std::size_t i) { outputs[k].state[i] += factor * v_[i]; });
       if (plan().track_inflow) outputs[k].inflow += length_ * responses[k].integral[j] * inflow_change;
     }
     if (j + 1 < m) next_vector(j);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "integrators/detail/incomplete_cholesky.hpp"
 #include "integrators/detail/shifted_solver.hpp"
 #include "integrators/integrator.hpp"
@@ -39,15 +40,16 @@ class PcgSolver final : public ShiftedSolver {
       rhs_.linear_stage({.y1 = direction_.data(), .a = 1, .d = -shift_}, image_);
       const double alpha = rz / dot(direction_, image_);
       if (!std::isfinite(alpha)) return false;
-      for (std::size_t i = 0; i < x.size(); ++i) {
+      for_each_entry(x.size(), [&](std::size_t i) {
         x[i] += alpha * direction_[i];
         residual_[i] -= alpha * image_[i];
-      }
+      });
       if (std::sqrt(dot(residual_, residual_)) <= target) return true;
       preconditioner_.apply(residual_, preconditioned_);
       const double next = dot(residual_, preconditioned_), beta = next / rz;
       rz = next;
-      for (std::size_t i = 0; i < x.size(); ++i) direction_[i] = preconditioned_[i] + beta * direction_[i];
+      for_each_entry(x.size(),
+                     [&](std::size_t i) { direction_[i] = preconditioned_[i] + beta * direction_[i]; });
     }
     return false;
   }

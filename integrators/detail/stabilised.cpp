@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 
 namespace superstep {
 namespace {
@@ -159,7 +160,7 @@ double Stabilised::first_step(double largest) {
   // Try 1/rho and look at how fast the derivative turns.
   double h = radius_ > 0 ? std::min(largest, 1 / radius_) : largest;
   auto& trial = engine_.result();
-  for (std::size_t i = 0; i < trial.size(); ++i) trial[i] = state_[i] + h * derivative_[i];
+  for_each_entry(trial.size(), [&](std::size_t i) { trial[i] = state_[i] + h * derivative_[i]; });
   (*rhs_)(t_ + h, trial, next_derivative_);
   weights_.widen(trial);
   const double turn =

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/parallel.hpp"
+
 namespace superstep {
 
 void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
@@ -40,7 +42,7 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
   if (scheme.finish) return step_with_finish(rhs, scheme, t, h, y0, f0, inflow);
   if (scheme.uses_first_derivative) {
     const double first = scheme.mt[1] * h;
-    for (std::size_t i = 0; i < y0.size(); ++i) result_[i] = y0[i] + first * f0[i];
+    for_each_entry(y0.size(), [&](std::size_t i) { result_[i] = y0[i] + first * f0[i]; });
   } else {
     rhs.stage(t, {.y1 = y0.data(), .a = 1, .d = scheme.mt[1] * h}, result_);
   }
@@ -78,14 +80,14 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
   const std::size_t n = y0.size();
   const auto time = [&](std::size_t stage) { return t + scheme.c[stage] * h; };
   const auto place = [&](const std::vector<double>& change) {
-    for (std::size_t i = 0; i < n; ++i) argument_[i] = y0[i] + change[i];
+    for_each_entry(n, [&](std::size_t i) { argument_[i] = y0[i] + change[i]; });
   };
   // Changes D_j = Y_j - Y_0 of the last two stages, and of E' = inflow(t, y), started at 0.
   auto &now = result_, &before = previous_;
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each_entry(n, [&](std::size_t i) {
     before[i] = 0;
     now[i] = scheme.mt[1] * h * f0[i];
-  }
+  });
   double entered = inflow ? scheme.mt[1] * h * rhs.inflow(t, y0) : 0, entered_before = 0;
   const auto recurrence = static_cast<std::size_t>(scheme.recurrence_stages());
   for (std::size_t j = 2; j <= recurrence; ++j) {
@@ -144,15 +146,17 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
   const auto& [f1, f2, f3, f4] = slopes_;
   auto& stage = before;
   sweep(0, now);
-  for (std::size_t i = 0; i < n; ++i) stage[i] = now[i] + h * (a[0][0] * f1[i]);
+  for_each_entry(n, [&](std::size_t i) { stage[i] = now[i] + h * (a[0][0] * f1[i]); });
   sweep(1, stage);
-  for (std::size_t i = 0; i < n; ++i) stage[i] = now[i] + h * (a[1][0] * f1[i] + a[1][1] * f2[i]);
+  for_each_entry(n, [&](std::size_t i) { stage[i] = now[i] + h * (a[1][0] * f1[i] + a[1][1] * f2[i]); });
   sweep(2, stage);
-  for (std::size_t i = 0; i < n; ++i)
+  for_each_entry(n, [&](std::size_t i) {
     stage[i] = now[i] + h * (a[2][0] * f1[i] + a[2][1] * f2[i] + a[2][2] * f3[i]);
+  });
   sweep(3, stage);
-  for (std::size_t i = 0; i < n; ++i)
+  for_each_entry(n, [&](std::size_t i) {
     result_[i] = y0[i] + (now[i] + h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]));
+  });
   if (inflow) *inflow += entered;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/parallel.hpp"
+
 namespace superstep {
 namespace {
 
@@ -38,7 +40,7 @@ void TrapezoidalFixedPoint::start(double t, std::span<const double> y) {
 TrapezoidalFixedPoint::Iteration TrapezoidalFixedPoint::iterate(double h) {
   const auto& reduction = rhs_->reduction();
   const double phi = settings_.rule.phi, p = settings_.power;
-  for (std::size_t i = 0; i < iterate_.size(); ++i) iterate_[i] = state_[i] + h * derivative_[i];
+  for_each_entry(iterate_.size(), [&](std::size_t i) { iterate_[i] = state_[i] + h * derivative_[i]; });
   double first_error = 0;
   for (int k = 1; k <= settings_.iterations; ++k) {
     std::swap(iterate_, iterate_before_);

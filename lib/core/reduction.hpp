@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
+
+#include "core/parallel.hpp"
 
 namespace superstep {
 
@@ -12,13 +15,18 @@ class Reduction {
  public:
   static constexpr std::size_t chunk = 1024;
 
-  explicit Reduction(std::size_t size) : size_(size) {}
+  explicit Reduction(std::size_t size) : size_(size), chunk_sum_((size + chunk - 1) / chunk) {}
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
-  /// Sum of term(i) over [0, size).
+  /// Sum of term(i) over [0, size). Threads share the chunks, so that term must not depend on the order of
+  /// its calls; two threads must not use one Reduction at the same time.
   template <class Term>
   [[nodiscard]] double sum(Term term) const {
-    return sum_of_chunks(0, (size_ + chunk - 1) / chunk, term);
+    for_ranges(chunk_sum_.size(), size_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        chunk_sum_[k] = sum_chunk(k * chunk, std::min((k + 1) * chunk, size_), term);
+    });
+    return sum_of_chunks(0, chunk_sum_.size());
   }
 
   /// Largest term(i) over [0, size), at least `floor`. A NaN term makes the result NaN.
@@ -36,7 +44,7 @@ class Reduction {
  private:
   // Eight running sums let the compiler use vector registers without changing the order from run to run.
   template <class Term>
-  [[nodiscard]] double sum_chunk(std::size_t begin, std::size_t end, Term& term) const {
+  [[nodiscard]] double sum_chunk(std::size_t begin, std::size_t end, const Term& term) const {
     constexpr std::size_t lanes = 8;
     std::array<double, lanes> partial{};
     std::size_t i = begin;
@@ -47,15 +55,14 @@ class Reduction {
            ((partial[1] + partial[5]) + (partial[3] + partial[7]));
   }
 
-  template <class Term>
-  [[nodiscard]] double sum_of_chunks(std::size_t first, std::size_t last, Term& term) const {
-    if (last - first <= 1)
-      return first == last ? 0.0 : sum_chunk(first * chunk, std::min(last * chunk, size_), term);
+  [[nodiscard]] double sum_of_chunks(std::size_t first, std::size_t last) const {
+    if (last - first <= 1) return first == last ? 0.0 : chunk_sum_[first];
     const std::size_t middle = first + (last - first) / 2;
-    return sum_of_chunks(first, middle, term) + sum_of_chunks(middle, last, term);
+    return sum_of_chunks(first, middle) + sum_of_chunks(middle, last);
   }
 
   std::size_t size_;
+  mutable std::vector<double> chunk_sum_;  ///< room for the sums of the chunks
 };
 
 }  // namespace superstep

@@ -138,7 +138,8 @@ Network build_network(const Graph& graph, std::span<const NodeRole> roles) {
     free_nodes.push_back(static_cast<std::int32_t>(node));
   }
   const Adjacency adjacency = free_adjacency(graph, row_of_node, free_nodes.size());
-  const auto order = reverse_cuthill_mckee(adjacency.row_begin, adjacency.neighbour);
+  auto order = reverse_cuthill_mckee(adjacency.row_begin, adjacency.neighbour);
+  group_by_length(adjacency.row_begin, order);
 
   Network network;
   permute_rows(adjacency, order, network);

@@ -75,4 +75,17 @@ std::vector<std::int32_t> reverse_cuthill_mckee(std::span<const std::int64_t> ro
   return order;
 }
 
+void group_by_length(std::span<const std::int64_t> row_begin, std::vector<std::int32_t>& order) {
+  // Padding of the 17,515-particle packing: 43 % with windows of 64 rows, 14 % with 256, 4 % with 1024.
+  constexpr std::size_t window = 1024;
+  const auto length = [&](std::int32_t row) {
+    const auto k = static_cast<std::size_t>(row);
+    return row_begin[k + 1] - row_begin[k];
+  };
+  for (std::size_t begin = 0; begin < order.size(); begin += window)
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                     order.begin() + static_cast<std::ptrdiff_t>(std::min(begin + window, order.size())),
+                     [&](std::int32_t a, std::int32_t b) { return length(a) > length(b); });
+}
+
 }  // namespace superstep

@@ -41,7 +41,9 @@ SpectralBounds spectral_bounds(const Network& network) {
 }
 
 FieldOperator::FieldOperator(Network network)
-    : network_(std::move(network)), rate_(network_.nonzeros()), ghost_value_(network_.ghost_value) {
+    : network_(std::move(network)),
+      rate_(network_.row_begin, network_.column),
+      ghost_value_(network_.ghost_value) {
   set_conductances(network_.conductance, {});
   std::vector<double> largest_rate(size(), 0.0);
   for (std::size_t i = 0; i < size(); ++i) {
@@ -69,9 +71,9 @@ void FieldOperator::set_conductances(std::span<const double> edges, std::span<co
   if (edges.data() != network_.conductance.data())
     std::copy(edges.begin(), edges.end(), network_.conductance.begin());
   for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
-  for (std::size_t i = 0; i < size(); ++i)
-    for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k)
-      rate_[at(k)] = network_.conductance[at(k)] / network_.capacity[i];
+  rate_.set_values(network_.row_begin, [this](std::size_t row, std::size_t k) {
+    return network_.conductance[k] / network_.capacity[row];
+  });
   ghosts_.clear();
   for (const auto& edge : network_.ghost_edges)
     ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
@@ -92,7 +94,7 @@ double FieldOperator::ambient4(const RadiationRate& radiation, double t) const n
 }
 
 void FieldOperator::stage(double t, const Stage& stage, double* out) {
-  fused_sweep({network_.row_begin, network_.column, rate_}, stage, out);
+  fused_sweep(rate_, stage, out);
   const auto ghost_value = ghost_values(t);
   for (const auto& ghost : ghosts_)
     out[at(ghost.row)] += stage.d * ghost.rate * (ghost_value[at(ghost.ghost)] - stage.y1[ghost.row]);
@@ -106,7 +108,7 @@ void FieldOperator::stage(double t, const Stage& stage, double* out) {
 }
 
 void FieldOperator::conduction_stage(const Stage& stage, double* out) const {
-  fused_sweep({network_.row_begin, network_.column, rate_}, stage, out);
+  fused_sweep(rate_, stage, out);
   for (const auto& ghost : ghosts_) out[at(ghost.row)] -= stage.d * ghost.rate * stage.y1[ghost.row];
 }
 

@@ -7,6 +7,7 @@
 
 #include "network/network.hpp"
 #include "rhs/rhs.hpp"
+#include "rhs/sliced_rows.hpp"
 
 namespace superstep {
 
@@ -69,7 +70,7 @@ class FieldOperator {
   [[nodiscard]] double ambient4(const RadiationRate& radiation, double t) const noexcept;
 
   Network network_;
-  std::vector<double> rate_;  ///< [nnz] K_ij/C_i [1/s]
+  SlicedRows rate_;  ///< K_ij/C_i [1/s]
   std::vector<GhostRate> ghosts_;
   std::vector<double> ghost_value_;  ///< [g] at `ghost_time_`
   std::vector<SourceRate> sources_;
@@ -83,7 +84,7 @@ void FieldOperator::jacobian(std::span<const double> y, Add add) const {
   for (std::size_t i = 0; i < size(); ++i) {
     double diagonal = 0;
     for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k) {
-      const double rate = rate_[static_cast<std::size_t>(k)];
+      const double rate = network_.conductance[static_cast<std::size_t>(k)] / network_.capacity[i];
       diagonal -= rate;
       add(i, static_cast<std::size_t>(network_.column[static_cast<std::size_t>(k)]), rate);
     }

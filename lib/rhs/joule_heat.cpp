@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rhs/sweep.hpp"
+
 namespace superstep {
 namespace {
 
@@ -53,18 +55,12 @@ JouleHeat::JouleHeat(const Graph& electric, std::span<const std::int32_t> slot_o
       }
     }
   });
+  sliced_weight_ = SlicedRows(begin_, slot_);
+  sliced_weight_.set_values(begin_, [this](std::size_t, std::size_t k) { return weight_[k]; });
 }
 
 void JouleHeat::rate(std::span<const double> potential, std::span<double> out) const noexcept {
-  for (std::size_t row = 0; row < inverse_capacity_.size(); ++row) {
-    const double own = potential[row];
-    double heat = 0;
-    for (auto k = begin_[row]; k < begin_[row + 1]; ++k) {
-      const double dv = potential[at(slot_[at(k)])] - own;
-      heat += weight_[at(k)] * dv * dv;
-    }
-    out[row] = heat * inverse_capacity_[row];
-  }
+  heat_sweep(sliced_weight_, potential.data(), inverse_capacity_.data(), out.data());
 }
 
 void JouleHeat::rate(std::span<const double> potential, const SlotConductivity& conductivity,

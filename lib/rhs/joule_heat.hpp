@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "network/graph.hpp"
+#include "rhs/sliced_rows.hpp"
 #include "rhs/variable_conduction.hpp"
 
 namespace superstep {
@@ -39,6 +40,7 @@ class JouleHeat {
   std::vector<std::int32_t> slot_;        ///< [branch ends]
   std::vector<double> geometry_;          ///< [branch ends] K/mean [m]
   std::vector<double> weight_;            ///< [branch ends] K times heat share, reference conductivities [S]
+  SlicedRows sliced_weight_;              ///< the same for the sweep
   std::vector<double> inverse_capacity_;  ///< [rows]
 };
 

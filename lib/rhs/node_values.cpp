@@ -1,5 +1,7 @@
 #include "rhs/node_values.hpp"
 
+#include "core/parallel.hpp"
+
 namespace superstep {
 
 NodeValues::NodeValues(std::vector<std::int32_t> slot_of_row, std::vector<KnownValue> known,
@@ -14,8 +16,8 @@ NodeValues::NodeValues(std::vector<std::int32_t> slot_of_row, std::vector<KnownV
 }
 
 std::span<const double> NodeValues::on_slots(double t, const double* state) {
-  for (std::size_t row = 0; row < slot_of_row_.size(); ++row)
-    value_[static_cast<std::size_t>(slot_of_row_[row])] = state[row];
+  for_each_entry(slot_of_row_.size(),
+                 [&](std::size_t row) { value_[static_cast<std::size_t>(slot_of_row_[row])] = state[row]; });
   for (const auto& entry : changing_)
     value_[static_cast<std::size_t>(entry.node)] = tables_[static_cast<std::size_t>(entry.table)].at(t);
   return value_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "network/cg_steady.hpp"
 #include "rhs/network_rhs.hpp"
 
@@ -94,12 +95,12 @@ const T* pointer_to(const std::optional<T>& value) noexcept {
 
 /// out = a*y1 + b*y2 + c*y0 on entries that are no longer stepped: their f is 0.
 void combine(const Stage& stage, std::span<double> out) noexcept {
-  for (std::size_t i = 0; i < out.size(); ++i) {
+  for_each_entry(out.size(), [&](std::size_t i) {
     double value = stage.a * stage.y1[i];
     if (stage.y2) value += stage.b * stage.y2[i];
     if (stage.y0) value += stage.c * stage.y0[i];
     out[i] = value;
-  }
+  });
 }
 
 double rms_distance(std::span<const double> a, std::span<const double> b) noexcept {
@@ -232,7 +233,8 @@ void NonlinearRhs::do_stage(double t, const Stage& stage, std::span<double> out)
   if (steps_potential() && !settled_) electric_->stage(t, stage, potential_out.data());
   thermal_->stage(t, shifted(stage, temperature_offset_), temperature_out.data());
   if (!joule_) return;
-  for (std::size_t i = 0; i < temperature_out.size(); ++i) temperature_out[i] += stage.d * joule_rate_[i];
+  for_each_entry(temperature_out.size(),
+                 [&](std::size_t i) { temperature_out[i] += stage.d * joule_rate_[i]; });
 }
 
 void NonlinearRhs::do_linear_stage(const Stage& stage, std::span<double> out) {

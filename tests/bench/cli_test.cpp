@@ -130,6 +130,30 @@ TEST_F(Program, NumbersOnTheCommandLineAreStrict) {
   expect_error("pack --height 1 --sizes list:0.1,0.2 -o x.csv", 2, "--diameter");
 }
 
+TEST_F(Program, GateAndCompareKeepTheirExitCodes) {
+  expect_error("gate", 2, "results.json");
+  expect_error("gate rod.toml", 2, "--baseline");
+  expect_error("compare rod.toml", 2, "two results.json");
+  expect_error("gate rod.toml --baseline rod.toml", 3, "rod.toml");
+  const std::string bench = "bench rod.toml --integrator forward-euler --repetitions 1 --quiet --out ";
+  ASSERT_EQ(run(bench + "a"), 0) << err();
+  ASSERT_EQ(run(bench + "b"), 0) << err();
+  EXPECT_EQ(run("gate b --baseline a/results.json"), 0)
+      << out();  // work and errors repeat; one round: no times
+  EXPECT_TRUE(out().starts_with("# Performance gate: passed")) << out();
+  EXPECT_EQ(run("gate b --baseline a --json"), 0);
+  EXPECT_EQ(nlohmann::json::parse(out()).at("verdict"), "passed");
+  EXPECT_EQ(run("compare a b"), 0);
+  auto json = nlohmann::json::parse(folder_.read("b/results.json"));
+  json["cases"][0]["rows"][0]["rhs"] = json["cases"][0]["rows"][0]["rhs"].get<int>() + 1;
+  folder_.write("worse.json", json.dump());
+  EXPECT_EQ(run("gate worse.json --baseline a"), 5);
+  json["cases"] = nlohmann::json::array();
+  folder_.write("none.json", json.dump());
+  EXPECT_EQ(run("gate a --baseline none.json"), 6);
+  EXPECT_EQ(run("compare a none.json"), 6);
+}
+
 TEST_F(Program, SpecsAreCheckedBeforeAnythingElse) {
   expect_error("run rod.toml --integrator forward-eular --out result", 2, "did you mean 'forward-euler'");
   expect_error("bench rod.toml --integrator sts:n=0 --out result", 2, "1 <= n");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -74,14 +75,51 @@ TEST(Components, CountsByConductingEdges) {
   EXPECT_NE(components.of_node[2], components.of_node[3]);
 }
 
+/// Neighbours of every row of a network, in compressed form.
+struct Neighbours {
+  explicit Neighbours(const Graph& graph) {
+    const Network network = build_network(graph, plain_roles(graph));
+    begin = network.row_begin;
+    column = network.column;
+  }
+  std::vector<std::int64_t> begin;
+  std::vector<std::int32_t> column;
+};
+
 TEST(Ordering, NarrowsAShuffledChain) {
-  const Graph graph = test::relabelled(chain(500), 5);
-  const Network network = build_network(graph, plain_roles(graph));
-  for (std::size_t row = 0; row < network.size(); ++row)
-    for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k)
+  const Neighbours rows(test::relabelled(chain(500), 5));
+  const auto order = reverse_cuthill_mckee(rows.begin, rows.column);
+  std::vector<std::ptrdiff_t> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    place[static_cast<std::size_t>(order[k])] = static_cast<std::ptrdiff_t>(k);
+  for (std::size_t row = 0; row < order.size(); ++row)
+    for (auto k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
       EXPECT_LE(
-          std::abs(static_cast<long>(network.column[static_cast<std::size_t>(k)]) - static_cast<long>(row)),
+          std::abs(place[static_cast<std::size_t>(rows.column[static_cast<std::size_t>(k)])] - place[row]),
           2);
+}
+
+TEST(Ordering, GroupsByLengthWithinWindowsAndKeepsTheRest) {
+  constexpr std::size_t window = 1024;
+  const Neighbours rows(test::random_graph({.nodes = 2500, .seed = 3}));
+  const auto before = reverse_cuthill_mckee(rows.begin, rows.column);
+  auto order = before;
+  group_by_length(rows.begin, order);
+  for (std::size_t begin = 0; begin < order.size(); begin += window) {
+    const std::size_t end = std::min(begin + window, order.size());
+    const auto length = [&](std::size_t k) {
+      const auto row = static_cast<std::size_t>(order[k]);
+      return rows.begin[row + 1] - rows.begin[row];
+    };
+    for (std::size_t k = begin + 1; k < end; ++k) EXPECT_LE(length(k), length(k - 1));
+    const auto part = [&](std::vector<std::int32_t> all) {
+      std::sort(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                all.begin() + static_cast<std::ptrdiff_t>(end));
+      return std::vector<std::int32_t>(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                                       all.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    EXPECT_EQ(part(order), part(before)) << "the same rows in each window";
+  }
 }
 
 TEST(SpdSolver, SteadyChainIsLinear) {
