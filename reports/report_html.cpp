@@ -47,6 +47,7 @@ std::string body_of(const ReportInput& input) {
   std::string out;
   for (std::size_t k = 0; k < input.cases.size(); ++k)
     out += case_html(input.cases[k], fmt::format("case-{}", k + 1), input.cases.size() == 1);
+  out += sintering_articles(input.runs);
   std::string rest;
   for (std::size_t k = 0; k < input.other_studies.size(); ++k)
     rest += work_precision_section(input.other_studies[k], fmt::format("study-{}", k + 1));
