@@ -94,7 +94,7 @@ std::string particles_figure(const MotionInput& motion, const std::string& id) {
     for (const auto& s : frame.spheres) range.include(s.temperature);
   if (!(range.low <= range.high)) return {};
   const View view(motion);
-  std::string pictures = R"(<div class="frames">)";
+  std::string pictures = R"(<div class="frames large">)";
   for (const auto& frame : motion.frames) pictures += frame_svg(motion, frame, view, range);
   pictures += "</div>" + colour_bar("temperature", "K", range);
   return figure("packing", id, "The particles, coloured by temperature", caption_of(motion), pictures,

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
@@ -105,6 +108,36 @@ MotionFrame read_frame(const std::string& path, double time, double upper_wall, 
   return frame;
 }
 
+/// Which of the snapshots taken at `times` are shown: the first one, the last one of each phase, and where
+/// there is room left those furthest in time from the others.
+std::vector<std::size_t> shown_frames(const std::vector<double>& times,
+                                      const std::vector<MotionPhase>& phases) {
+  std::set<std::size_t> chosen;
+  if (!times.empty()) chosen.insert(0);
+  for (const auto& phase : phases)
+    for (std::size_t k = times.size(); k-- > 0;)
+      if (times[k] > phase.begin && times[k] <= phase.end) {
+        chosen.insert(k);
+        break;
+      }
+  const auto distance = [&](std::size_t k) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::size_t other : chosen) nearest = std::min(nearest, std::abs(times[k] - times[other]));
+    return nearest;
+  };
+  while (chosen.size() < std::min(most_frames, times.size())) {
+    std::size_t furthest = *chosen.begin();
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (!chosen.contains(k) && (chosen.contains(furthest) || distance(k) > distance(furthest)))
+        furthest = k;
+    chosen.insert(furthest);
+  }
+  const std::vector<std::size_t> all(chosen.begin(), chosen.end());
+  std::vector<std::size_t> out;
+  for (const std::size_t k : evenly_thinned(all.size(), most_frames)) out.push_back(all[k]);
+  return out;
+}
+
 // What is needed of "motion" in run.json, as `superstep run` writes it. A folder of an older program has no
 // box and no snapshots there: then there are no pictures.
 void read_frames(const std::string& folder, const Json& motion, MotionInput& out) {
@@ -113,7 +146,9 @@ void read_frames(const std::string& folder, const Json& motion, MotionInput& out
   out.box_min = motion.at("box").at("min").get<std::array<double, 3>>();
   out.box_max = motion.at("box").at("max").get<std::array<double, 3>>();
   const double plane = 0.5 * (out.box_min[1] + out.box_max[1]);
-  for (const std::size_t k : evenly_thinned(snapshots.size(), most_frames)) {
+  std::vector<double> times;
+  for (const Json& one : snapshots) times.push_back(one.at("time").get<double>());
+  for (const std::size_t k : shown_frames(times, out.phases)) {
     const Json& one = snapshots.at(k);
     // Only what is inside the folder: the name comes from a file.
     const std::filesystem::path name = one.at("file").get<std::string>();
@@ -121,8 +156,8 @@ void read_frames(const std::string& folder, const Json& motion, MotionInput& out
     if (name.is_absolute() || std::any_of(name.begin(), name.end(), goes_up))
       throw InputError(
           fmt::format("{}/run.json: snapshot '{}' is not inside the folder", folder, name.string()));
-    out.frames.push_back(read_frame(folder + "/" + name.string(), one.at("time").get<double>(),
-                                    one.at("upper_wall").get<double>(), plane));
+    out.frames.push_back(
+        read_frame(folder + "/" + name.string(), times[k], one.at("upper_wall").get<double>(), plane));
   }
 }
 

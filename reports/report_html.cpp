@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "reports/embedded.hpp"
@@ -80,8 +81,11 @@ std::string heading_of(const ReportInput& input) {
     return input.cases.front().bench.title.empty() ? input.cases.front().bench.name
                                                    : input.cases.front().bench.title;
   if (!input.cases.empty()) return fmt::format("{} cases", input.cases.size());
-  if (!input.runs.empty()) return input.runs.front().record.title;
-  return "Results";
+  if (input.runs.empty()) return "Results";
+  const std::string& title = input.runs.front().record.title;
+  const bool same = std::all_of(input.runs.begin(), input.runs.end(),
+                                [&](const RunInput& run) { return run.record.title == title; });
+  return same ? title : fmt::format("{} runs", input.runs.size());
 }
 
 /// The chart library with its licence, which asks to be kept with it.

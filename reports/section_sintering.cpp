@@ -1,5 +1,5 @@
-/// Runs of moving particles: how a bed was poured, pressed, heated and released (figures 8 and 9 of Zohdi
-/// 2014, doi:10.1016/j.cma.2013.10.018).
+/// Runs of moving particles: how a bed was poured, pressed, heated and released.
+/// Source of the curves: figures 8 and 9 of Zohdi (2014), Math. Mech. Solids 19, 93-113.
 
 #include <fmt/format.h>
 
@@ -19,6 +19,10 @@ using Values = std::vector<double> MotionHistory::*;
 
 std::string name_of(const RunInput& run) {
   return run.record.title.empty() ? run.record.case_name : run.record.title;
+}
+
+std::string label_of(const RunInput& run) {
+  return run.folder == "." ? "this folder" : run.folder;
 }
 
 std::string percent_text(double fraction) {
@@ -161,7 +165,6 @@ std::string run_article(const RunInput& run, const std::string& id, bool only) {
 
 std::string comparison_table(const Runs& runs) {
   HtmlTable table({{"run", "folder below that of the report", false},
-                   {"case", "", false},
                    {"status", "", false},
                    {"largest volume fraction"},
                    {"volume fraction at the end"},
@@ -174,8 +177,7 @@ std::string comparison_table(const Runs& runs) {
   for (const auto* run : runs) {
     const MotionInput& motion = *run->motion;
     const MotionPhase& last = motion.phases.back();
-    table.add_row({{.text = run->folder == "." ? "this folder" : run->folder, .kind = "strong"},
-                   {.text = name_of(*run)},
+    table.add_row({{.text = label_of(*run), .kind = "strong", .hint = name_of(*run)},
                    {.text = run->record.status,
                     .kind = run->record.status == "ok" ? "good" : "bad",
                     .hint = run->record.reason},
@@ -201,7 +203,7 @@ std::string comparison_chart(const Runs& runs, const char* id, const char* title
               .x = {.label = fmt::format("time [{}]", unit.name)},
               .y = {.label = axis}};
   for (const auto* run : runs)
-    chart.series.push_back({.name = run->folder == "." ? "this folder" : run->folder,
+    chart.series.push_back({.name = label_of(*run),
                             .look = curve_look(chart.series.size()),
                             .x = times_of(*run->motion, unit),
                             .y = run->motion->history.*values});
