@@ -90,7 +90,8 @@ std::string run_charts(const RunInput& run, const std::string& id) {
       run_chart(run, id + "-fraction", "Volume fraction",
                 "Of the box below the lowest position of the upper wall; overlaps count twice.",
                 "volume fraction", fraction) +
-      run_chart(run, id + "-temperature", "Temperature", "Of the particles.", "temperature [K]", heat) +
+      run_chart(run, id + "-temperature", "Temperature", "Mean over the particles, and of the hottest one.",
+                "temperature [K]", heat) +
       run_chart(run, id + "-force", "Force on the upper wall", "Normal to it.", "force [N]", force) +
       run_chart(run, id + "-pairs", "Contacts and bonds",
                 "Pairs that touch, and those of them that stick together.", "pairs", pairs));
@@ -216,6 +217,8 @@ std::string comparison_article(const Runs& runs) {
                        &MotionHistory::volume_fraction) +
       comparison_chart(runs, "sintering-compared-temperature", "Mean temperature", "temperature [K]",
                        &MotionHistory::mean_temperature) +
+      comparison_chart(runs, "sintering-compared-force", "Force on the upper wall", "force [N]",
+                       &MotionHistory::wall_force) +
       comparison_chart(runs, "sintering-compared-bonds", "Bonds", "bonds", &MotionHistory::bonds);
   return "<article id=\"sintering\">\n<h2>Sintering</h2>\n" +
          html_section(
