@@ -120,7 +120,8 @@ class Plot {
                      fmt::format(R"(fill="currentColor" fill-opacity="{}")", k % 2 == 0 ? "0.09" : "0"),
                      fmt::format("{}: {} to {}", span.name, number_text(span.begin), number_text(span.end)));
       const std::string name = shortened(span.name, longest_span_name);
-      const double middle = 0.5 * (begin + end), half = 0.5 * text_width(name);
+      const double half = 0.5 * text_width(name);
+      const double middle = std::clamp(0.5 * (begin + end), left + half, width - right - half);
       if (middle - half < last_name) continue;
       svg_.text(middle, top - 4, name, {"middle", R"(fill-opacity="0.75")"});
       last_name = middle + half + 4;
