@@ -11,7 +11,9 @@
 #include "bench/progress.hpp"
 #include "bench/sintering_figure.hpp"
 #include "bench/sintering_files.hpp"
+#include "bench/sintering_vtk.hpp"
 #include "bench/spec_settings.hpp"
+#include "bench/vtk_frames.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
@@ -90,6 +92,41 @@ std::string snapshot_name(std::size_t number) {
   return fmt::format("snapshots/particles_{:04}.csv", number);
 }
 
+/// Files of particles at the output times.
+class Snapshots {
+ public:
+  Snapshots(const SinteringCase& one, const RunCommand& command, const std::string& folder)
+      : one_(one), folder_(folder) {
+    remove_vtk_series(folder);  // old fields beside new ones mislead
+    if (command.vtk) vtk_.emplace(folder);
+  }
+  /// For ParaView, where the motion is now.
+  void add_frame(const Motion& motion) {
+    if (vtk_)
+      vtk_->add(sintering_particles(one_, motion.state()),
+                sintering_contacts(one_, motion.network(), motion.state()));
+  }
+  void write(std::size_t number, const Motion& motion, SinteringResult& result) const {
+    const double t = motion.state().time;
+    write_file_atomically(folder_ + "/" + snapshot_name(number), particles_csv(one_, motion.state()));
+    result.files.push_back(snapshot_name(number));
+    result.snapshots.push_back({snapshot_name(number), t, one_.model.schedule.at(t).wall_height(t)});
+  }
+  /// The last state reached, in final.csv, belongs to the series unless it is there already.
+  void finish(const Motion& motion, SinteringResult& result) const {
+    const double t = motion.state().time;
+    if (result.snapshots.empty() || result.snapshots.back().time != t)
+      result.snapshots.push_back({"final.csv", t, one_.model.schedule.at(t).wall_height(t)});
+    if (!vtk_) return;
+    for (auto& name : vtk_->finish()) result.files.push_back(std::move(name));
+  }
+
+ private:
+  const SinteringCase& one_;
+  std::string folder_;
+  std::optional<VtkFrames> vtk_;
+};
+
 /// Phases whose electrified walls found nobody to carry their current.
 void warn_without_path(const Motion& motion, const dynamics::Model& model,
                        std::vector<std::string>& warnings) {
@@ -106,10 +143,12 @@ SinteringResult integrate(const SinteringCase& one, const RunCommand& command, c
                           Motion& motion, Progress& progress) {
   SinteringResult result;
   Checkpoints checkpoints(folder + "/checkpoint.bin", command.checkpoint);
+  Snapshots snapshots(one, command, folder);
   motion.stop = &stop_flag();
   const double cpu = process_cpu_seconds(), wall = wall_seconds();
   begin(one, command, motion);
   checkpoints.started_at(motion.state().time);
+  snapshots.add_frame(motion);
   motion.after_step = [&] {
     progress.reached(motion.state().time);
     warn_without_path(motion, one.model, result.warnings);
@@ -118,12 +157,13 @@ SinteringResult integrate(const SinteringCase& one, const RunCommand& command, c
   for (std::size_t k = 0; k < one.output_times.size() && result.outcome.ok(); ++k) {
     if (one.output_times[k] <= motion.state().time) continue;
     result.outcome = motion.advance(one.output_times[k]);
-    if (!result.outcome.ok() || one.output_times.size() == 1) continue;
-    write_file_atomically(folder + "/" + snapshot_name(k), particles_csv(one, motion.state()));
-    result.files.push_back(snapshot_name(k));
+    if (!result.outcome.ok()) continue;
+    snapshots.add_frame(motion);
+    if (one.output_times.size() > 1) snapshots.write(k, motion, result);
   }
   result.cpu_stepping = process_cpu_seconds() - cpu;
   result.wall_stepping = wall_seconds() - wall;
+  snapshots.finish(motion, result);
   if (checkpoints.wanted() || result.outcome.status == Status::interrupted) {
     checkpoints.write(one, motion);
     result.files.emplace_back("checkpoint.bin");

@@ -142,7 +142,14 @@ std::string sintering_json(const SinteringCase& one, const Motion& motion, const
   Json parts;
   for (const auto& part : parts_of(motion.network().times, result.cpu_stepping))
     parts[part.name] = part.seconds;
-  json["motion"] = {{"phase_ends", phases},
+  Json snapshots = Json::array();
+  for (const auto& snapshot : result.snapshots)
+    snapshots.push_back(
+        {{"file", snapshot.file}, {"time", snapshot.time}, {"upper_wall", snapshot.upper_wall}});
+  const Vec3 &low = one.model.box.min, &high = one.model.box.max;
+  json["motion"] = {{"box", {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}}},
+                    {"snapshots", snapshots},
+                    {"phase_ends", phases},
                     {"iterations", motion.iterations()},
                     {"neighbour_lists", motion.network().contacts().list().builds()},
                     {"cpu_parts_s", parts}};

@@ -19,15 +19,23 @@ namespace superstep {
 /// current, velocity [m/s]. The columns of final.csv of a fixed network come first.
 [[nodiscard]] std::string particles_csv(const dynamics::SinteringCase& one, const dynamics::State& state);
 
+/// A file with the particles of one instant.
+struct SnapshotFile {
+  std::string file;       ///< relative to the folder of the run
+  double time = 0;        ///< s
+  double upper_wall = 0;  ///< height of the upper wall [m]
+};
+
 /// What a run of moving particles cost and how it ended.
 struct SinteringResult {
   Outcome outcome;
   double cpu_setup = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
   std::vector<std::string> files, warnings;
+  std::vector<SnapshotFile> snapshots;  ///< ascending in time
 };
 
-/// run.json: as for a fixed network, and under "motion" the state at the end of each phase and the CPU time
-/// of each part.
+/// run.json: as for a fixed network, and under "motion" the state at the end of each phase, the CPU time
+/// of each part, the box and when each snapshot was taken.
 [[nodiscard]] std::string sintering_json(const dynamics::SinteringCase& one, const dynamics::Motion& motion,
                                          const SinteringResult& result, int threads);
 

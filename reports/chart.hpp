@@ -26,12 +26,19 @@ struct ChartSeries {
   std::vector<std::string> notes{};  ///< what a point tells when it is pointed at; empty or one per point
 };
 
+/// A named stretch of the x axis: the phase of a process.
+struct ChartSpan {
+  std::string name;
+  double begin = 0, end = 0;  ///< in units of the axis
+};
+
 /// A line, scatter or column chart.
 struct Chart {
   std::string id;              ///< letters, digits, '-'; unique in a page
   std::string title, caption;  ///< plain text; the caption says what to look at
   ChartAxis x, y;
   std::vector<ChartSeries> series{};
+  std::vector<ChartSpan> spans{};       ///< shaded in turn behind the series, named above the plot
   std::vector<std::string> failures{};  ///< runs that have no point; each is marked at the upper edge
 };
 

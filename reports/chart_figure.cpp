@@ -72,6 +72,8 @@ std::string chart_figure(const Chart& chart) {
                               {"dash", series.look.dash},
                               {"x", values_json(series.x)},
                               {"y", values_json(series.y)}});
+  for (const auto& span : chart.spans)
+    data["spans"].push_back({number_json(span.begin, 7), number_json(span.end, 7)});
   return figure("xy", chart.id, chart.title, chart.caption, chart_svg(chart), data);
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "reports/chart_figure.hpp"
+#include "reports/colour_bar.hpp"
 #include "reports/html_text.hpp"
 #include "reports/svg.hpp"
 
@@ -35,20 +36,8 @@ struct View {
   [[nodiscard]] double height() const { return scale * (high - low); }
 };
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-  [[nodiscard]] double fraction(double value) const { return high > low ? (value - low) / (high - low) : 0; }
-};
-
-std::string time_text(double t) {
-  if (t == 0) return "t = 0";
-  if (t < 1e-3) return fmt::format("t = {} µs", number_text(t * 1e6));
-  if (t < 1) return fmt::format("t = {} ms", number_text(t * 1e3));
-  return fmt::format("t = {} s", number_text(t));
-}
-
-std::string frame_svg(const Slice& slice, const Slice::Frame& frame, const View& view, const Range& range,
-                      const std::vector<std::size_t>& order) {
+std::string frame_svg(const Slice& slice, const Slice::Frame& frame, const View& view,
+                      const ValueRange& range, const std::vector<std::size_t>& order) {
   Svg svg(view.width() + 2, view.height() + caption_room,
           fmt::format("{} at {}, spheres cut by the mid-plane", frame.field, time_text(frame.time)));
   // A sphere that stands for several is drawn so large that together they cover what all of them would.
@@ -64,20 +53,6 @@ std::string frame_svg(const Slice& slice, const Slice::Frame& frame, const View&
   }
   svg.raw(spheres + "</g>");
   svg.text(view.width() / 2, view.height() + 17, time_text(frame.time), {"middle", R"(font-weight="600")"});
-  return svg.take();
-}
-
-std::string colour_bar(const Slice::Frame& frame, const Range& range) {
-  constexpr double width = 300, height = 14;
-  Svg svg(width + 60, 38, fmt::format("colour scale of the {}", frame.field));
-  constexpr int steps = 60;
-  for (int k = 0; k < steps; ++k)
-    svg.rectangle(30 + width * k / steps, 2, width / steps + 0.6, height,
-                  fmt::format(R"(fill="{}")", field_colour((k + 0.5) / steps)));
-  svg.text(30, 32, number_text(range.low), {"middle"});
-  svg.text(30 + width / 2, 32, fmt::format("{} [{}]", frame.field, frame.unit),
-           {"middle", R"(font-weight="600")"});
-  svg.text(30 + width, 32, number_text(range.high), {"middle"});
   return svg.take();
 }
 
@@ -98,12 +73,9 @@ nlohmann::ordered_json frames_data(const Slice& slice, const std::vector<const S
 std::string field_figure(const Slice& slice, const std::vector<const Slice::Frame*>& frames,
                          const std::string& id) {
   const View view(slice);
-  Range range;
+  ValueRange range;
   for (const auto* frame : frames)
-    for (const double value : frame->value) {
-      range.low = std::min(range.low, value);
-      range.high = std::max(range.high, value);
-    }
+    for (const double value : frame->value) range.include(value);
   std::vector<std::size_t> order(slice.spheres.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(
@@ -111,7 +83,7 @@ std::string field_figure(const Slice& slice, const std::vector<const Slice::Fram
       [&](std::size_t a, std::size_t b) { return slice.spheres[a].depth > slice.spheres[b].depth; });
   std::string pictures = R"(<div class="frames">)";
   for (const auto* frame : frames) pictures += frame_svg(slice, *frame, view, range, order);
-  pictures += "</div>" + colour_bar(*frames.front(), range);
+  pictures += "</div>" + colour_bar(frames.front()->field, frames.front()->unit, range);
   const std::string left_out = slice.cut > slice.spheres.size()
                                    ? fmt::format(
                                          " Of {} such spheres {}, chosen at random, are drawn, "

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double width = 480, plot_height = 250;
 constexpr double left = 70, right = 14, top = 16, axis_room = 44, legend_row = 18;
-constexpr std::size_t longest_name = 46;
+constexpr std::size_t longest_name = 46, longest_span_name = 14;
 constexpr std::size_t most_markers = 14;  // on one line
 constexpr const char* grid = R"(stroke="currentColor" stroke-opacity="0.14")";
 constexpr const char* axis_line = R"(stroke="currentColor" stroke-opacity="0.6")";
@@ -74,6 +74,7 @@ class Plot {
         svg_(width, height(), chart.title + ". " + chart.caption) {}
 
   std::string draw() {
+    draw_spans();
     draw_axes();
     std::size_t columns = 0, place = 0;
     for (const auto& series : chart_.series) columns += series.kind == ChartSeries::Kind::columns ? 1 : 0;
@@ -105,6 +106,26 @@ class Plot {
   [[nodiscard]] double height() const {
     const int rows = legend_.empty() ? 0 : legend_.back().row + 1;
     return top + plot_height + axis_room + legend_row * rows + 6;
+  }
+
+  // Every second one is shaded; a name that has no room between its neighbours' is left out of the picture,
+  // but pointing at the stretch tells it.
+  void draw_spans() {
+    double last_name = 0;
+    for (std::size_t k = 0; k < chart_.spans.size(); ++k) {
+      const auto& span = chart_.spans[k];
+      const double begin = std::clamp(x_.pixel(span.begin), left, width - right);
+      const double end = std::clamp(x_.pixel(span.end), left, width - right);
+      svg_.rectangle(begin, top, end - begin, plot_height,
+                     fmt::format(R"(fill="currentColor" fill-opacity="{}")", k % 2 == 0 ? "0.09" : "0"),
+                     fmt::format("{}: {} to {}", span.name, number_text(span.begin), number_text(span.end)));
+      const std::string name = shortened(span.name, longest_span_name);
+      const double half = 0.5 * text_width(name);
+      const double middle = std::clamp(0.5 * (begin + end), left + half, width - right - half);
+      if (middle - half < last_name) continue;
+      svg_.text(middle, top - 4, name, {"middle", R"(fill-opacity="0.75")"});
+      last_name = middle + half + 4;
+    }
   }
 
   void draw_axes() {

@@ -141,6 +141,12 @@ std::vector<Look> looks_of(std::span<const std::string> specs) {
   return out;
 }
 
+Look curve_look(std::size_t k) {
+  constexpr std::array hues = {"#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9", "#7f7f7f"};
+  const std::size_t place = k % hues.size();
+  return {hues[place], dashes[place % dashes.size()], markers[place % markers.size()]};
+}
+
 std::string field_colour(double fraction) {
   // Stops of increasing lightness along the hues of the "viridis" scale (S. van der Walt & N. Smith, CC0).
   constexpr Colour stops[] = {{68, 1, 84},    {65, 68, 135},  {42, 120, 142},

@@ -25,6 +25,10 @@ struct Look {
 /// the shade and marker, the second one the dashes.
 [[nodiscard]] std::vector<Look> looks_of(std::span<const std::string> specs);
 
+/// Look of the k-th of several curves that are not methods; they repeat after seven.
+/// Source of the hues: Okabe & Ito (2008)
+[[nodiscard]] Look curve_look(std::size_t k);
+
 /// Colour of a value on the scale of fields, from dark blue (0) over green to yellow (1); values outside are
 /// clamped. Lightness grows all the way, so it reads in grey too.
 [[nodiscard]] std::string field_colour(double fraction);

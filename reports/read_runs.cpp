@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "reports/read_motion.hpp"
 #include "reports/read_results.hpp"
 #include "reports/thinning.hpp"
 
@@ -75,11 +76,16 @@ std::optional<Slice> read_final(const std::string& path, const std::string& spec
 }
 
 RunInput read_run(const std::string& folder, const std::string& name) {
-  RunInput run{.folder = name, .record = read_run_json(folder + "/run.json"), .curves = {}, .slice = {}};
+  RunInput run{.folder = name,
+               .record = read_run_json(folder + "/run.json"),
+               .curves = {},
+               .slice = {},
+               .motion = read_motion(folder)};
   const auto& record = run.record;
   const std::string spec = record.integrator + (record.params.empty() ? "" : ":" + record.params);
   if (exists(folder + "/probes.csv")) run.curves = read_probes(folder + "/probes.csv", spec);
-  if (exists(folder + "/final.csv")) run.slice = read_final(folder + "/final.csv", spec, record.t_end);
+  if (!run.motion && exists(folder + "/final.csv"))
+    run.slice = read_final(folder + "/final.csv", spec, record.t_end);
   return run;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "reports/embedded.hpp"
@@ -47,6 +48,7 @@ std::string body_of(const ReportInput& input) {
   std::string out;
   for (std::size_t k = 0; k < input.cases.size(); ++k)
     out += case_html(input.cases[k], fmt::format("case-{}", k + 1), input.cases.size() == 1);
+  out += sintering_articles(input.runs);
   std::string rest;
   for (std::size_t k = 0; k < input.other_studies.size(); ++k)
     rest += work_precision_section(input.other_studies[k], fmt::format("study-{}", k + 1));
@@ -79,8 +81,11 @@ std::string heading_of(const ReportInput& input) {
     return input.cases.front().bench.title.empty() ? input.cases.front().bench.name
                                                    : input.cases.front().bench.title;
   if (!input.cases.empty()) return fmt::format("{} cases", input.cases.size());
-  if (!input.runs.empty()) return input.runs.front().record.title;
-  return "Results";
+  if (input.runs.empty()) return "Results";
+  const std::string& title = input.runs.front().record.title;
+  const bool same = std::all_of(input.runs.begin(), input.runs.end(),
+                                [&](const RunInput& run) { return run.record.title == title; });
+  return same ? title : fmt::format("{} runs", input.runs.size());
 }
 
 /// The chart library with its licence, which asks to be kept with it.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/csv_table.hpp"
+#include "reports/motion_input.hpp"
 #include "reports/results.hpp"
 #include "reports/work_precision.hpp"
 
@@ -26,7 +27,8 @@ struct RunInput {
   std::string folder;  ///< name inside the folder of the report; "." = that folder itself
   RunRecord record;
   std::vector<ProbeCurve> curves;
-  std::optional<Slice> slice;  ///< the final fields
+  std::optional<Slice> slice;         ///< the final fields of a fixed network
+  std::optional<MotionInput> motion;  ///< of moving particles
 };
 
 /// The files of `superstep stability --out`.

@@ -28,7 +28,7 @@ std::string runs_table(std::span<const RunInput> runs) {
                    {"CPU stepping [s]"},
                    {"memory [MB]"}},
                   true);
-  for (const auto& [folder, run, curves, slice] : runs)
+  for (const auto& [folder, run, curves, slice, motion] : runs)
     table.add_row({{.text = folder == "." ? "this folder" : folder},
                    {.text = run.title.empty() ? run.case_name : run.title},
                    {.text = spec_of(run), .kind = "strong", .hint = run.choice},

@@ -43,6 +43,8 @@ struct TimeUnit {
 [[nodiscard]] std::string skipped_section(const CaseInput& input, const std::string& id);
 [[nodiscard]] std::string stability_section(const StabilityInput& input);
 [[nodiscard]] std::string runs_section(std::span<const RunInput> runs);
+/// Articles of the runs with moving particles, and one that compares them when there are several.
+[[nodiscard]] std::string sintering_articles(std::span<const RunInput> runs);
 [[nodiscard]] std::string machine_section(const ReportInput& input);
 
 }  // namespace superstep

@@ -11,7 +11,7 @@
 namespace superstep {
 namespace {
 
-static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they lie in memory");
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "points and vectors are written as they lie in memory");
 
 constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
@@ -35,10 +35,21 @@ class Appended {
           [&](const auto& values) {
             if (values.size() != expected)
               throw std::logic_error("a VTK array has the wrong length: " + one.name);
-            return array(one.name, 1, std::span(values));
+            return whole(one.name, values);
           },
           one.values);
     return out + fmt::format("</{}>\n", element);
+  }
+  template <class Value>
+  std::string whole(const std::string& name, const std::vector<Value>& values) {
+    if constexpr (std::is_same_v<Value, Vec3>)
+      return vectors(name, values);
+    else
+      return array(name, 1, std::span<const Value>(values));
+  }
+  std::string vectors(const std::string& name, std::span<const Vec3> values) {
+    const double* first = values.empty() ? nullptr : &values.front().x;
+    return array(name, 3, std::span<const double>(first, 3 * values.size()));
   }
   [[nodiscard]] const std::string& bytes() const noexcept { return bytes_; }
 
@@ -74,7 +85,6 @@ std::string topology(Appended& appended, const VtkPolyData& data) {
 
 std::string vtp_text(const VtkPolyData& data) {
   Appended appended;
-  const double* coordinates = data.points.empty() ? nullptr : &data.points.front().x;
   std::string out = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" "
       "header_type=\"UInt64\">\n"
@@ -86,9 +96,7 @@ std::string vtp_text(const VtkPolyData& data) {
       data.lines.size());
   out += appended.arrays("PointData", data.point_data, data.points.size());
   out += appended.arrays("CellData", data.cell_data, data.lines.size());
-  out += "<Points>\n" +
-         appended.array("Points", 3, std::span<const double>(coordinates, 3 * data.points.size())) +
-         "</Points>\n";
+  out += "<Points>\n" + appended.vectors("Points", data.points) + "</Points>\n";
   out += topology(appended, data);
   out += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
   return out + appended.bytes() + "\n</AppendedData>\n</VTKFile>\n";

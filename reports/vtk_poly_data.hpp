@@ -13,10 +13,10 @@
 
 namespace superstep {
 
-/// Named values, one per point or per cell.
+/// Named values, one per point or per cell: numbers or vectors.
 struct VtkArray {
   std::string name;
-  std::variant<std::vector<double>, std::vector<std::int64_t>> values;
+  std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<Vec3>> values;
 };
 
 /// A piece of poly data: n points, each a vertex of its own, or joined by lines.

@@ -9,10 +9,6 @@ std::size_t at(std::int32_t i) noexcept {
   return static_cast<std::size_t>(i);
 }
 
-double pair_conductance(const ThermalLaw& law, const ContactPoint& contact) noexcept {
-  return law.conductivity * contact.area / contact.distance;
-}
-
 // The centre never gets as far as the wall in an accepted step; the bound keeps trial positions finite.
 double wall_conductance(const ThermalLaw& law, const WallContact& contact, double radius) noexcept {
   constexpr double nearest = 1e-3;  // of the radius

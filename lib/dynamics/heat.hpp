@@ -12,6 +12,11 @@ namespace superstep::dynamics {
 /// Which particles take the temperature of a wall: its number, or -1.
 using Held = std::span<const std::int32_t>;
 
+/// kappa A_ij/|x_i - x_j| of two particles [W/K].
+[[nodiscard]] inline double pair_conductance(const ThermalLaw& law, const ContactPoint& contact) noexcept {
+  return law.conductivity * contact.area / contact.distance;
+}
+
 /// Temperature rates [K/s]: (sum_j kappa A_ij/|x_i - x_j| (T_j - T_i) + the same to walls + H_i)/(m_i C); 0
 /// for held particles. Source: Zohdi (2014), eqs 31-35.
 ///   joule [n]  H_i [W]

@@ -93,6 +93,22 @@
     return [once.map((point) => point[0]), once.map((point) => point[1])];
   }
 
+  // Named stretches of the x axis, every second one shaded as in the picture.
+  function shadeSpans(plot, spans, ink) {
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.globalAlpha = 0.09;
+    ctx.fillStyle = ink;
+    spans.forEach(([begin, end], k) => {
+      const left = plot.valToPos(begin, "x", true), right = plot.valToPos(end, "x", true);
+      if (k % 2 === 0) ctx.fillRect(left, bbox.top, right - left, bbox.height);
+    });
+    ctx.restore();
+  }
+
   function makeLive(figure, data, width) {
     const ink = getComputedStyle(figure).color;
     const faint = ink.replace("rgb(", "rgba(").replace(")", ", 0.15)");
@@ -105,6 +121,7 @@
       width, height: Math.max(280, Math.round(width * 0.6)),
       scales: { x: { time: false, distr: data.x.log ? 3 : 1 }, y: { distr: data.y.log ? 3 : 1 } },
       axes: [axis(data.x, 46), axis(data.y, 66)],
+      hooks: { drawClear: [(plot) => shadeSpans(plot, data.spans || [], ink)] },
       cursor: { drag: { x: true, y: true, uni: 20 } },
       series: [{ label: data.x.label, value: (_, value) => shown(value) }].concat(data.series.map((series) => ({
         label: series.name,

@@ -3,6 +3,7 @@
 check_vtk.py FOLDER: exit code 0 when everything agrees, 77 when there is no VTK here.
 """
 import csv
+import math
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -36,8 +37,10 @@ def series(folder, name):
 
 folder = sys.argv[1]
 with open(f"{folder}/final.csv", newline="", encoding="utf-8") as file:
-    final = list(csv.DictReader(file))
-fields = [name for name in ("temperature", "potential") if name in final[0]]
+    rows = {int(row["id"]): row for row in csv.DictReader(file)}
+columns = next(iter(rows.values())).keys()
+fields = [name for name in ("temperature", "potential", "current") if name in columns]
+moving = "vx" in columns
 
 particles, contacts = series(folder, "particles"), series(folder, "contacts")
 times = [t for t, _ in particles]
@@ -46,17 +49,34 @@ assert times == [t for t, _ in contacts]
 
 time, last = particles[-1]
 assert last.GetFieldData().GetArray("TimeValue").GetValue(0) == time
-assert last.GetNumberOfPoints() == last.GetNumberOfVerts() == len(final)
-assert column(last.GetPointData(), "id") == [int(row["id"]) for row in final]
+assert last.GetNumberOfPoints() == last.GetNumberOfVerts() == len(rows)
+ids = column(last.GetPointData(), "id")
+assert sorted(ids) == sorted(rows)
+final = [rows[one] for one in ids]
+if not moving:
+    assert ids == list(rows), "particles keep the order of the user's file"
 assert column(last.GetPointData(), "radius") == [float(row["r"]) for row in final]
 for k, row in enumerate(final):
     assert last.GetPoint(k) == tuple(float(row[axis]) for axis in "xyz"), k
 for field in fields:
     assert column(last.GetPointData(), field) == [float(row[field]) for row in final], field
+if moving:
+    velocity = last.GetPointData().GetArray("velocity")
+    assert velocity.GetNumberOfComponents() == 3
+    for k, row in enumerate(final):
+        assert velocity.GetTuple(k) == tuple(float(row["v" + axis]) for axis in "xyz"), k
 
 _, lines = contacts[-1]
 assert lines.GetNumberOfLines() > 0
-for field in fields:
+if moving:  # its number of contacts is that of the last step, and a pair overlaps as far as its spheres do
+    with open(f"{folder}/history.csv", newline="", encoding="utf-8") as file:
+        step = list(csv.DictReader(file))[-1]
+    assert lines.GetNumberOfLines() == int(step["contacts"])
+    assert sum(column(lines.GetCellData(), "bonded")) == int(step["bonds"])
+overlap = column(lines.GetCellData(), "overlap")
+for field in ("temperature", "potential"):  # a particle current is no difference over a contact
+    if field not in fields:
+        continue
     values = [float(row[field]) for row in final]
     conductance = column(lines.GetCellData(), f"conductance_{field}")
     flux = column(lines.GetCellData(), f"flux_{field}")
@@ -68,4 +88,7 @@ for field in fields:
         assert i != j
         expected = conductance[c] * (values[i] - values[j])
         assert abs(flux[c] - expected) <= 1e-12 * abs(conductance[c]) * (abs(values[i]) + abs(values[j])), c
+        if moving:
+            reach = float(final[i]["r"]) + float(final[j]["r"])
+            assert abs(overlap[c] - reach + math.dist(lines.GetPoint(i), lines.GetPoint(j))) <= 1e-12 * reach, c
 print(f"{len(times)} times, {len(final)} particles, {lines.GetNumberOfLines()} contacts agree")

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "checked_report.hpp"
 #include "core/error.hpp"
 #include "reports/observations_csv.hpp"
 #include "reports/published.hpp"
@@ -20,27 +21,13 @@ namespace {
 
 using test::MarkupReader;
 using test::message_of;
+using test::report_of;
 using test::TemporaryFolder;
 
 void write_benchmark(const TemporaryFolder& folder, const BenchReport& report) {
   folder.write("results.json", results_json(report));
   folder.write("histories.csv", histories_csv(report.cases));
   folder.write("snapshots.csv", snapshots_csv(report.cases));
-}
-
-// Writes the report of a folder and checks what holds for every report.
-std::string report_of(const TemporaryFolder& folder) {
-  const std::string html = report_html(read_report_input(folder.file(".")));
-  MarkupReader reader(html);
-  EXPECT_EQ(reader.problem(), "");
-  EXPECT_EQ(html.find("window.hacked=1</script>"), std::string::npos) << "names are text";
-  const int data = reader.count("figure");  // every figure carries its numbers
-  EXPECT_EQ(reader.count("script"), data + 2) << "the library, our script, and the numbers of each figure";
-  EXPECT_GE(reader.count("svg"), reader.count("figure")) << "every chart stands in the file";
-  for (const char* address : {"src=\"http", "href=\"http", "url(http", "@import", "src=\"//"})
-    EXPECT_EQ(html.find(address), std::string::npos) << address;
-  EXPECT_EQ(html.find("nan"), html.find("nano")) << "no number that is none";
-  return html;
 }
 
 bool has(const std::string& html, const std::string& part) {
