@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "temporary_case.hpp"
 
@@ -23,13 +24,16 @@ TEST(ProbeErrors, AreTakenAtTheMethodsOwnStepEnds) {
   append(run, 0, 8);
   append(run, 0.5, 7.5);   // reference 7
   append(run, 1.5, 4);     // reference 5
+  append(run, 2.5, 3.5);   // reference 3
   append(run, 3.5, 1.25);  // reference 1
   append(run, 4, 3);       // reference at its final value: not part of the transient
   append(run, 9, 77);      // a step beyond the end
   FieldErrors errors;
   measure_probe_errors(run, reference, 0, 4, errors);
-  EXPECT_DOUBLE_EQ(errors.probe_mean.value(), (0.5 + 1 + 0.25) / 3);
-  EXPECT_TRUE(errors.decay_rate);
+  EXPECT_DOUBLE_EQ(errors.probe_mean.value(), (0.5 + 1 + 0.5 + 0.25) / 4);
+  // From the largest error on it halves every second; the rise to it is no decay.
+  EXPECT_NEAR(errors.decay_rate.value(), std::log(2.0), 1e-12);
+  EXPECT_NEAR(errors.decay_r2.value(), 1, 1e-12);
 }
 
 class RodVerification : public testing::Test {
