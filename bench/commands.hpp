@@ -99,8 +99,9 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand,
-                             GateCommand, CompareCommand, PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
+using Command =
+    std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand, GateCommand,
+                 CompareCommand, PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
 
 /// `execute` of a case with moving particles, i.e. with a table [dynamics].
 int run_sintering(const RunCommand& command);

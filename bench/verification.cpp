@@ -94,7 +94,8 @@ void measure_probe_errors(const ProbeHistory& run, const ProbeHistory& reference
   for (const double e : error) sum += e;
   errors.probe_mean = sum / static_cast<double>(length);
   // An error grows from 0 before it decays: the fit begins at its maximum.
-  const auto largest_error = static_cast<std::size_t>(std::max_element(error.begin(), error.end()) - error.begin());
+  const auto largest_error =
+      static_cast<std::size_t>(std::max_element(error.begin(), error.end()) - error.begin());
   const std::span<const double> times(time), errors_at(error);
   if (const auto fit = fit_decay(times.subspan(largest_error), errors_at.subspan(largest_error))) {
     errors.decay_rate = fit->rate;

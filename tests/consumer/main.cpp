@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
   method->prepare(*scene.rhs, plan);
   method->start(0.0, scene.initial);
   for (const double t : scene.output_times)
-    if (const auto outcome = method->advance(t); !outcome.ok()) return (std::cerr << outcome.reason << '\n', 1);
-  for (const double value : scene.values_on_nodes(0, method->time(), method->state())) std::cout << value << '\n';
+    if (const auto outcome = method->advance(t); !outcome.ok())
+      return (std::cerr << outcome.reason << '\n', 1);
+  for (const double value : scene.values_on_nodes(0, method->time(), method->state()))
+    std::cout << value << '\n';
 }
