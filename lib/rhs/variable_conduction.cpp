@@ -18,7 +18,10 @@ SlotConductivity::SlotConductivity(ConductionLaws laws, std::vector<std::int32_t
     : laws_(std::move(laws)),
       node_of_slot_(std::move(node_of_slot)),
       value_(node_of_slot_.size()),
-      slope_(node_of_slot_.size()) {}
+      slope_(node_of_slot_.size()) {
+  // Before the first update: the reference values, for which the conductances were computed.
+  for (std::size_t s = 0; s < value_.size(); ++s) value_[s] = laws_.of_node(node_of_slot_[s]).value;
+}
 
 void SlotConductivity::update(std::span<const double> temperature) {
   for (std::size_t s = 0; s < value_.size(); ++s)

@@ -116,6 +116,14 @@ TEST_P(EveryMethod, TwoWayWithEverything) {
                                  .tables = true});
 }
 
+TEST_P(EveryMethod, SteadyPotentialThatFollowsTheTemperature) {
+  using Kind = ConductivityLaw::Kind;
+  const ConductivityLaw line{.kind = Kind::linear, .value = 2, .coefficient = -0.1, .reference = 0.2};
+  const ConductivityLaw rise{
+      .kind = Kind::sigmoid, .value = 1, .reference = 0.4, .amplitude = 1, .steepness = 2};
+  expect_the_answer(GetParam(), {.nodes = 40, .steady = true, .electric = {rise, line}});
+}
+
 TEST_P(EveryMethod, StoresTheHeatThatTheCurrentMakes) {
   const auto rhs = Thermoelectric{.nodes = 40}.build();  // insulated
   const auto result = run(*rhs, GetParam(), times);

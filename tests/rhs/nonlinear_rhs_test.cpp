@@ -163,6 +163,28 @@ TEST(JouleHeat, IsThePowerOfTheElectrodes) {
   EXPECT_NEAR(heat, 1.0 * current, 1e-10 * heat);
 }
 
+TEST(MeanSourceRate, IsTheHeatOfTheSteadyCurrentBeforeAnySweep) {
+  const ConductivityLaw rise{
+      .kind = ConductivityLaw::Kind::sigmoid, .value = 3, .reference = 50, .amplitude = 2, .steepness = 3};
+  const Network network = Thermoelectric{.nodes = 40}.electric_network();
+  const auto potential = steady_state(network);
+  double current = 0;  // at the electrode of 1 V, so that it is the heat as well
+  for (const auto& edge : network.ghost_edges)
+    if (network.ghost_value[static_cast<std::size_t>(edge.ghost)] == 1)
+      current += edge.conductance * (1 - potential[static_cast<std::size_t>(edge.row)]);
+  // The law has its reference value at the temperatures of the start, 50 widths below its rise.
+  for (const bool steady : {false, true}) {
+    const auto rhs =
+        Thermoelectric{.nodes = 40, .steady = steady, .electric = {rise, ConductivityLaw{.value = 1}}}.build();
+    double capacity = 0;
+    const auto& field = rhs->fields().back();
+    for (std::size_t i = field.offset; i < field.offset + field.count; ++i) capacity += rhs->capacities()[i];
+    // The iterative potential is good to a hundredth, the heat to its square and some.
+    EXPECT_NEAR(rhs->mean_source_rate(rhs->fields().size() - 1), current / capacity, 1e-2 * current / capacity)
+        << steady;
+  }
+}
+
 TEST(ConjugateGradients, FindTheSteadyState) {
   const Network network = Thermoelectric{.nodes = 60}.electric_network();
   const auto exact = steady_state(network), found = approximate_steady_state(network, 1e-12);
