@@ -17,10 +17,9 @@ double point_position(std::size_t m, std::size_t degree) {
   return 0.5 * (1 - std::cos(std::numbers::pi * static_cast<double>(m) / static_cast<double>(degree)));
 }
 
-double rms(std::span<const double> v) {
-  double sum = 0;
-  for (const double x : v) sum += x * x;
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, v.size())));
+double rms(const Reduction& reduction, std::span<const double> v) {
+  const double sum = reduction.sum([&](std::size_t i) { return v[i] * v[i]; });
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, reduction.size())));
 }
 
 double span_of(const Plan& plan, Rhs& rhs, std::size_t field) {
@@ -78,7 +77,7 @@ void OneWayExponential::start(double t, std::span<const double> y) {
   std::fill(y1_.begin(), y1_.end(), 0.0);
   halves_->driven()(t, y1_, constant_rate_);  // what fixed values and sources alone do
   halves_->driver()(t, potential(), derivative_);
-  rate_of_potential_ = rms(derivative_);
+  rate_of_potential_ = rms(halves_->driver().reduction(), derivative_);
   panel_ = driver_radius_ > 0 ? 8 / driver_radius_ : plan_.output_times.back() - t;
   steady_ = rate_of_potential_ == 0;
   if (steady_) halves_->rate(t, potential(), heat_[0]);
@@ -178,7 +177,8 @@ void OneWayExponential::expand_heat(double h) {
 }
 
 double OneWayExponential::heat_error(double h) const {
-  return 0.5 * h * (rms(expansion_[degree]) + rms(expansion_[degree - 1]));
+  const auto& reduction = halves_->driven().reduction();
+  return 0.5 * h * (rms(reduction, expansion_[degree]) + rms(reduction, expansion_[degree - 1]));
 }
 
 void OneWayExponential::propagate_temperature(double h) {
@@ -193,12 +193,12 @@ void OneWayExponential::propagate_temperature(double h) {
 void OneWayExponential::gain_inflow(double h, const DuhamelPanel& panel, std::size_t terms) {
   const auto capacity = rhs_->capacities().subspan(driver_size_);
   const auto integral = chebyshev_integrals(degree);
-  for (std::size_t p = 0; p <= degree; ++p)
-    for (std::size_t i = 0; i < driven_size_; ++i) {
-      const double constant = p == 0 ? constant_rate_[i] : 0;
-      statistics_.inflow += h * integral[p] * capacity[i] * (expansion_[p][i] - constant);
-    }
   Rhs& driven = halves_->driven();
+  for (std::size_t p = 0; p <= degree; ++p)
+    statistics_.inflow += h * integral[p] * driven.reduction().sum([&](std::size_t i) {
+      const double constant = p == 0 ? constant_rate_[i] : 0;
+      return capacity[i] * (expansion_[p][i] - constant);
+    });
   std::fill(y1_.begin(), y1_.end(), 0.0);
   const double at_zero = driven.inflow(t_, y1_);
   clenshaw(integral_coefficients(panel, terms), y1_);
@@ -231,7 +231,7 @@ void OneWayExponential::clenshaw(const DuhamelCoefficients& coefficients, std::v
 
 bool OneWayExponential::potential_is_steady(double h) {
   halves_->driver()(t_, potential(), derivative_);
-  const double before = std::exchange(rate_of_potential_, rms(derivative_));
+  const double before = std::exchange(rate_of_potential_, rms(halves_->driver().reduction(), derivative_));
   if (rate_of_potential_ == 0) return true;
   const double decay = std::log(before / rate_of_potential_) / h;
   // Late in the transient its slowest mode is left: what is still to come is rate/decay.

@@ -103,10 +103,9 @@ void combine(const Stage& stage, std::span<double> out) noexcept {
   });
 }
 
-double rms_distance(std::span<const double> a, std::span<const double> b) noexcept {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, a.size())));
+double rms_distance(const Reduction& reduction, std::span<const double> a, std::span<const double> b) {
+  const double sum = reduction.sum([&](std::size_t i) { return (a[i] - b[i]) * (a[i] - b[i]); });
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, reduction.size())));
 }
 
 Stage shifted(const Stage& stage, std::size_t offset) noexcept {
@@ -403,7 +402,7 @@ bool NonlinearRhs::settle(double t, std::span<const double> y, double accuracy) 
   if (!possible || settled_ || t < next_look_) return false;
   const auto potential = y.first(temperature_offset_);
   const double allowed = std::max(settle_tolerance_, accuracy) * potential_span_;
-  if (next_look_ == 0 || !(rms_distance(potential, seen_potential_) <= allowed)) {
+  if (next_look_ == 0 || !(rms_distance(driver_->reduction(), potential, seen_potential_) <= allowed)) {
     // It still moves between looks: come back after a tenth of the time that has gone by.
     seen_potential_.assign(potential.begin(), potential.end());
     next_look_ = 1.1 * t;
@@ -412,7 +411,7 @@ bool NonlinearRhs::settle(double t, std::span<const double> y, double accuracy) 
   if (final_potential_.empty())
     final_potential_ = approximate_steady_state(electric_->network(), 1e-2 * settle_tolerance_);
   next_look_ = 1.1 * t;
-  if (!(rms_distance(potential, final_potential_) <= allowed)) return false;
+  if (!(rms_distance(driver_->reduction(), potential, final_potential_) <= allowed)) return false;
   update_joule(t, y.data());
   settled_ = true;
   settled_at_ = t;

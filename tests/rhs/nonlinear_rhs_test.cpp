@@ -175,12 +175,14 @@ TEST(MeanSourceRate, IsTheHeatOfTheSteadyCurrentBeforeAnySweep) {
   // The law has its reference value at the temperatures of the start, 50 widths below its rise.
   for (const bool steady : {false, true}) {
     const auto rhs =
-        Thermoelectric{.nodes = 40, .steady = steady, .electric = {rise, ConductivityLaw{.value = 1}}}.build();
+        Thermoelectric{.nodes = 40, .steady = steady, .electric = {rise, ConductivityLaw{.value = 1}}}
+            .build();
     double capacity = 0;
     const auto& field = rhs->fields().back();
     for (std::size_t i = field.offset; i < field.offset + field.count; ++i) capacity += rhs->capacities()[i];
     // The iterative potential is good to a hundredth, the heat to its square and some.
-    EXPECT_NEAR(rhs->mean_source_rate(rhs->fields().size() - 1), current / capacity, 1e-2 * current / capacity)
+    EXPECT_NEAR(rhs->mean_source_rate(rhs->fields().size() - 1), current / capacity,
+                1e-2 * current / capacity)
         << steady;
   }
 }
