@@ -57,7 +57,7 @@ int bench_sintering(const BenchCommand& command) {
   if (one.motion_window && !report.interrupted) {
     const MotionComparison motion = compare_motion_schemes(one, progress);
     write_file_atomically(folder + "/motion.csv", motion_csv(one, motion));
-    if (!command.common.json) print_data("\n" + motion_table(motion));
+    if (!command.common.json) print_data(fmt::format("\n{}", motion_table(motion)));
   }
   if (!quiet) note(fmt::format("results in {}", folder));
   if (report.interrupted) return interrupted_exit_code;
