@@ -22,14 +22,7 @@ Cell median(const std::optional<Timing>& timing) {
   return timing ? number(timing->median) : Cell();
 }
 
-struct ErrorColumn {
-  const char* name;
-  Number FieldErrors::*value;
-};
-
-// The measures that exist once per field, in the order of the contract; `reference` stands between the last
-// two.
-constexpr ErrorColumn error_columns[] = {
+constexpr ErrorMeasure measures[] = {
     {"error_probe_mean", &FieldErrors::probe_mean},
     {"error_rms", &FieldErrors::rms},
     {"error_max", &FieldErrors::max},
@@ -38,14 +31,17 @@ constexpr ErrorColumn error_columns[] = {
     {"balance", &FieldErrors::balance},
     {"decay_rate", &FieldErrors::decay_rate},
     {"decay_r2", &FieldErrors::decay_r2},
+    {"reference_error", &FieldErrors::reference_error},
 };
-constexpr ErrorColumn reference_error_column = {"reference_error", &FieldErrors::reference_error};
+// `reference` stands between the last two columns.
+constexpr auto error_columns = std::span(measures).first<std::size(measures) - 1>();
+constexpr ErrorMeasure reference_error_column = std::span(measures).back();
 
-Column main_column(ErrorColumn column) {
+Column main_column(ErrorMeasure column) {
   return {column.name, [column](const BenchRow& row) { return number(row.errors.*column.value); }};
 }
 
-Column potential_column(ErrorColumn column) {
+Column potential_column(ErrorMeasure column) {
   return {std::string(column.name) + "_potential", [column](const BenchRow& row) {
             return row.potential ? number((*row.potential).*column.value) : Cell();
           }};
@@ -89,6 +85,10 @@ std::vector<Column> work_columns() {
 }
 
 }  // namespace
+
+std::span<const ErrorMeasure> error_measures() noexcept {
+  return measures;
+}
 
 std::vector<Column> bench_columns(std::span<const BenchCase> cases) {
   std::vector<Column> columns = work_columns();

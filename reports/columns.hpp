@@ -19,6 +19,14 @@ struct Column {
   std::function<Cell(const BenchRow&)> cell;
 };
 
+/// An error measure that exists once per field, under its name in results.csv and results.json.
+struct ErrorMeasure {
+  const char* name;
+  Number FieldErrors::*value;
+};
+/// All of them in the order of the contract, the reference's own error last.
+[[nodiscard]] std::span<const ErrorMeasure> error_measures() noexcept;
+
 /// Columns in their order; the `_potential` twins follow at the end when any row has two fields.
 [[nodiscard]] std::vector<Column> bench_columns(std::span<const BenchCase> cases);
 

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "reports/columns.hpp"
 
 namespace superstep {
 namespace {
@@ -79,28 +80,14 @@ std::optional<Timing> timing(const Object& row, const char* key) {
   return Timing{one.number_or_zero("median"), one.number_or_zero("min"), one.number_or_zero("max")};
 }
 
-struct ErrorKey {
-  const char* key;
-  Number FieldErrors::*value;
-};
-constexpr ErrorKey error_keys[] = {{"error_probe_mean", &FieldErrors::probe_mean},
-                                   {"error_rms", &FieldErrors::rms},
-                                   {"error_max", &FieldErrors::max},
-                                   {"error_relative_rms", &FieldErrors::relative_rms},
-                                   {"overshoot", &FieldErrors::overshoot},
-                                   {"balance", &FieldErrors::balance},
-                                   {"decay_rate", &FieldErrors::decay_rate},
-                                   {"decay_r2", &FieldErrors::decay_r2},
-                                   {"reference_error", &FieldErrors::reference_error}};
-
 FieldErrors errors(const Object& row, const std::string& suffix) {
   FieldErrors out;
-  for (const auto& [key, value] : error_keys) out.*value = row.number(key + suffix);
+  for (const auto& [key, value] : error_measures()) out.*value = row.number(key + suffix);
   return out;
 }
 
 bool any(const FieldErrors& errors) {
-  for (const auto& [key, value] : error_keys)
+  for (const auto& [key, value] : error_measures())
     if ((errors.*value).has_value()) return true;
   return false;
 }
