@@ -4,6 +4,7 @@
 #include <Eigen/Sparse>
 #include <vector>
 
+#include "core/aligned_array.hpp"
 #include "network/network.hpp"
 #include "packing/packing.hpp"
 #include "rhs/sweep.hpp"
@@ -47,7 +48,7 @@ class Triad {
 
  private:
   std::size_t size_;
-  std::unique_ptr<double[]> a_, b_, c_;
+  AlignedArray<double> a_, b_, c_;
 };
 
 }  // namespace superstep::micro

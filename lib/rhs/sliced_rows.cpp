@@ -14,8 +14,13 @@ SlicedRows::SlicedRows(std::span<const std::int64_t> row_begin, std::span<const 
       longest = std::max(longest, row_begin[row + 1] - row_begin[row]);
     begin_[slice + 1] = begin_[slice] + longest * static_cast<std::int64_t>(lanes);
   }
-  column_ = std::make_unique_for_overwrite<std::int32_t[]>(entries());
-  value_ = std::make_unique_for_overwrite<double[]>(entries());
+  for (std::size_t row = 0; row < rows_; ++row)
+    for (auto k = row_begin[row]; k < row_begin[row + 1]; ++k) {
+      const auto neighbour = static_cast<std::size_t>(column[static_cast<std::size_t>(k)]);
+      if (neighbour > row) reach_ = std::max(reach_, neighbour - row);
+    }
+  column_ = aligned_array<std::int32_t>(entries());
+  value_ = aligned_array<double>(entries());
   for_ranges(slices, rows_, [&](std::size_t first, std::size_t last) {
     std::fill(value_.get() + begin_[first], value_.get() + begin_[last], 0.0);
     for (std::size_t row = first * lanes; row < last * lanes; ++row) {

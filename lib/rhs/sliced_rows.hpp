@@ -8,10 +8,10 @@
 /// by length that keeps padding small is part of the node order: see `group_by_length`.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "core/aligned_array.hpp"
 #include "core/parallel.hpp"
 
 namespace superstep {
@@ -33,6 +33,8 @@ class SlicedRows {
   [[nodiscard]] std::size_t slices() const noexcept { return begin_.size() - 1; }
   /// Stored entries, padding included.
   [[nodiscard]] std::size_t entries() const noexcept { return static_cast<std::size_t>(begin_.back()); }
+  /// The largest distance from a row to a later neighbour.
+  [[nodiscard]] std::size_t reach() const noexcept { return reach_; }
   [[nodiscard]] const std::int64_t* begin() const noexcept { return begin_.data(); }  ///< [slices+1]
   [[nodiscard]] const std::int32_t* column() const noexcept { return column_.get(); }
   [[nodiscard]] const double* value() const noexcept { return value_.get(); }
@@ -42,11 +44,11 @@ class SlicedRows {
     return static_cast<std::size_t>(begin_[row / lanes]) + entry * lanes + row % lanes;
   }
 
-  std::size_t rows_ = 0;
+  std::size_t rows_ = 0, reach_ = 0;
   std::vector<std::int64_t> begin_{0};
   // Left untouched by their allocation: the thread that will sweep over a part is the first to write it.
-  std::unique_ptr<std::int32_t[]> column_;
-  std::unique_ptr<double[]> value_;
+  AlignedArray<std::int32_t> column_;
+  AlignedArray<double> value_;
 };
 
 template <class ValueOf>
