@@ -1,6 +1,8 @@
 /// Forward Euler, the baseline: y_{n+1} = y_n + h f(t_n, y_n). Stable for h <= 2/lambda_max.
 /// Source: Rojek & Nisar 2026, eqs 13, 20-21, 27.
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "integrators/detail/critical_step.hpp"
@@ -34,8 +36,12 @@ class ForwardEuler final : public Integrator {
   Outcome advance(double t_out) override {
     double t_in = t_;
     auto steps = steps_to_cover(t_out - t_in, step_);
-    for (std::uint64_t k = 1; k <= steps; ++k) {
-      take_step(k == steps ? t_out : t_in + static_cast<double>(k) * step_);
+    for (std::uint64_t k = 0; k < steps;) {
+      const auto chain = std::min<std::uint64_t>(longest_chain, steps - k);
+      take_steps(chain, [&](std::uint64_t step) {
+        return k + step == steps ? t_out : t_in + static_cast<double>(k + step) * step_;
+      });
+      k += chain;
       if (guard_.stop_requested(t_)) return interrupted_at(t_);
       if (k % RunGuard::stride != 0) continue;
       if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
@@ -53,14 +59,24 @@ class ForwardEuler final : public Integrator {
   [[nodiscard]] const Statistics& statistics() const noexcept override { return statistics_; }
 
  private:
-  void take_step(double t_next) {
-    const double h = t_next - t_;
-    if (track_inflow_) statistics_.inflow += h * rhs_->inflow(t_, state_);
-    rhs_->stage(t_, {.y1 = state_.data(), .a = 1, .d = h}, next_);
-    std::swap(state_, next_);
-    t_ = t_next;
-    ++statistics_.steps;
-    recorder_.record(t_, state_);
+  /// end_of(k), k = 1 ... count: time at which each step ends.
+  template <class EndOf>
+  void take_steps(std::uint64_t count, const EndOf& end_of) {
+    const auto chain = std::span(links_).first(static_cast<std::size_t>(count));
+    double t = t_;
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+      const double t_next = end_of(k + 1);
+      chain[k] = {.t = t, .stage = {.y1 = state_.data(), .a = 1, .d = t_next - t}, .out = next_.data()};
+      std::swap(state_, next_);
+      t = t_next;
+    }
+    rhs_->chain(chain, track_inflow_, recorder_.wanted() ? &recorder_.follow(chain) : nullptr);
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+      if (track_inflow_) statistics_.inflow += chain[k].stage.d * chain[k].inflow;
+      if (recorder_.wanted()) recorder_.record_followed(k + 1 < chain.size() ? chain[k + 1].t : t, k);
+    }
+    t_ = t;
+    statistics_.steps += count;
   }
 
   CriticalStep critical_step_;
@@ -68,6 +84,7 @@ class ForwardEuler final : public Integrator {
   RunGuard guard_;
   ProbeRecorder recorder_;
   std::vector<double> state_, next_;
+  std::array<ChainedStage, longest_chain> links_;
   double t_ = 0, step_ = 0;
   bool track_inflow_ = false;
   Statistics statistics_;

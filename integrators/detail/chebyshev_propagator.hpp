@@ -5,7 +5,7 @@
 
 namespace superstep {
 
-class ChebyshevPropagator final : public BatchPropagator {
+class ChebyshevPropagator final : public BatchPropagator, private ChainObserver {
  public:
   /// rtol: error at each output time relative to the span of the field, in the capacity-weighted rms norm.
   explicit ChebyshevPropagator(double rtol) : rtol_(rtol) {}
@@ -13,13 +13,18 @@ class ChebyshevPropagator final : public BatchPropagator {
  private:
   void allocate(std::size_t outputs) override;
   [[nodiscard]] Outcome propagate(std::span<Output> outputs) override;
-  void collect(std::span<Output> outputs, std::size_t k, std::span<const double> u);
-  void add_pair(std::span<Output> outputs, std::size_t k, std::span<const double> u,
-                std::span<const double> next);
+  void entries_done(std::size_t stage, std::size_t first, std::size_t last) override;
+  void add_pair(std::size_t k, const double* u, const double* next, std::size_t first, std::size_t last);
+  void add_probes(std::size_t k, const double* u, std::size_t first, std::size_t last);
+  void add_inflow(std::size_t k, double inflow);
 
   double rtol_;
   std::vector<double> u_, next_;
   std::vector<std::vector<double>> coefficients_, integrals_;  ///< one list per output
+  // Of the pass under way:
+  std::span<Output> outputs_;
+  std::span<const ChainedStage> chain_;
+  std::size_t terms_ = 0, chain_begin_ = 0;  ///< number of the first U_k that the chain makes
 };
 
 }  // namespace superstep

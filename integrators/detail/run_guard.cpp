@@ -56,13 +56,28 @@ std::uint64_t steps_to_cover(double span, double step) noexcept {
 void ProbeRecorder::prepare(const Plan& plan) {
   history_ = plan.history;
   probes_ = plan.probes;
-  values_.resize(probes_.size());
+  values_.resize(longest_chain * probes_.size());
 }
 
 void ProbeRecorder::record(double t, std::span<const double> y) {
   if (!history_) return;
   for (std::size_t k = 0; k < probes_.size(); ++k) values_[k] = y[probes_[k]];
-  history_->append(t, values_);
+  record_followed(t, 0);
+}
+
+ChainObserver& ProbeRecorder::follow(std::span<const ChainedStage> chain) noexcept {
+  chain_ = chain;
+  return *this;
+}
+
+void ProbeRecorder::entries_done(std::size_t stage, std::size_t first, std::size_t last) {
+  for (std::size_t k = 0; k < probes_.size(); ++k)
+    if (probes_[k] >= first && probes_[k] < last)
+      values_[stage * probes_.size() + k] = chain_[stage].out[probes_[k]];
+}
+
+void ProbeRecorder::record_followed(double t, std::size_t k) {
+  history_->append(t, std::span(values_).subspan(k * probes_.size(), probes_.size()));
 }
 
 }  // namespace superstep

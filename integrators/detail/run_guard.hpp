@@ -38,16 +38,24 @@ class RunGuard {
 /// Number of equal steps of at most `step` that cover `span`; rounding in the quotient does not add a step.
 [[nodiscard]] std::uint64_t steps_to_cover(double span, double step) noexcept;
 
-/// Values of the plan's probes at a step end, handed to its history.
-class ProbeRecorder {
+/// Values of the plan's probes at step ends, handed to its history.
+class ProbeRecorder final : public ChainObserver {
  public:
   void prepare(const Plan& plan);
   [[nodiscard]] bool wanted() const noexcept { return history_ != nullptr; }
   void record(double t, std::span<const double> y);
 
+  /// Where the stages of a chain are steps: watches it, ...
+  [[nodiscard]] ChainObserver& follow(std::span<const ChainedStage> chain) noexcept;
+  /// ... and hands over what the probes were at the end of stage k.
+  void record_followed(double t, std::size_t k);
+
  private:
+  void entries_done(std::size_t stage, std::size_t first, std::size_t last) override;
+
   std::vector<std::size_t> probes_;
-  std::vector<double> values_;
+  std::vector<double> values_;  ///< [longest_chain][probes]
+  std::span<const ChainedStage> chain_;
   ProbeHistory* history_ = nullptr;
 };
 

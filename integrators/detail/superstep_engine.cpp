@@ -1,5 +1,7 @@
 #include "integrators/detail/superstep_engine.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "integrators/detail/super_step.hpp"
@@ -30,12 +32,18 @@ void SuperstepEngine::step(const SuperstepPlan& plan, double t, double h, double
     return;
   }
   const double critical_step = h / superstep_length(plan.n, plan.nu);
-  for (const double substep : plan.substeps) {
-    const double tau = substep * critical_step;
-    if (inflow) *inflow += tau * rhs_->inflow(t, state_);
-    rhs_->stage(t, {.y1 = state_.data(), .a = 1, .d = tau}, engine_.result());
-    std::swap(state_, engine_.result());
-    t += tau;
+  std::array<ChainedStage, longest_chain> links;
+  for (std::size_t first = 0; first < plan.substeps.size(); first += longest_chain) {
+    const auto chain = std::span(links).first(std::min(longest_chain, plan.substeps.size() - first));
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+      const double tau = plan.substeps[first + k] * critical_step;
+      chain[k] = {.t = t, .stage = {.y1 = state_.data(), .a = 1, .d = tau}, .out = engine_.result().data()};
+      std::swap(state_, engine_.result());
+      t += tau;
+    }
+    rhs_->chain(chain, inflow != nullptr);
+    for (const auto& link : chain)
+      if (inflow) *inflow += link.stage.d * link.inflow;
   }
 }
 

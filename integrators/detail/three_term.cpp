@@ -1,5 +1,7 @@
 #include "integrators/detail/three_term.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -40,19 +42,36 @@ void ThreeTermEngine::resize(std::size_t size, bool finishing) {
 void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
                            std::span<const double> y0, std::span<const double> f0, double* inflow) {
   if (scheme.finish) return step_with_finish(rhs, scheme, t, h, y0, f0, inflow);
+  // The same recurrence on the scalar E' = inflow(t, y), started at 0.
+  double inflow0 = 0, entered = 0, entered_before = 0;
+  std::array<ChainedStage, longest_chain> links;
+  std::size_t linked = 0;
+  const auto stages = static_cast<std::size_t>(scheme.recurrence_stages());
+  std::size_t done = 0;  // stages whose inflow is counted
+  const auto run_chain = [&] {
+    rhs.chain(std::span(links).first(linked), inflow != nullptr);
+    for (std::size_t k = 0; k < linked; ++k) {
+      const std::size_t j = ++done;
+      if (j == 1) inflow0 = links[k].inflow;
+      const double next = scheme.m[j] * entered + scheme.n[j] * entered_before +
+                          h * (scheme.mt[j] * links[k].inflow + scheme.gt[j] * inflow0);
+      entered_before = std::exchange(entered, next);
+    }
+    linked = 0;
+  };
+
   if (scheme.uses_first_derivative) {
     const double first = scheme.mt[1] * h;
     for_each_entry(y0.size(), [&](std::size_t i) { result_[i] = y0[i] + first * f0[i]; });
+    if (inflow) inflow0 = rhs.inflow(t, y0);
+    entered = first * inflow0;
+    done = 1;
   } else {
-    rhs.stage(t, {.y1 = y0.data(), .a = 1, .d = scheme.mt[1] * h}, result_);
+    links[linked++] = {
+        .t = t, .stage = {.y1 = y0.data(), .a = 1, .d = scheme.mt[1] * h}, .out = result_.data()};
   }
-  // The same recurrence on the scalar E' = inflow(t, y), started at 0.
-  const double inflow0 = inflow ? rhs.inflow(t, y0) : 0;
-  double entered = scheme.mt[1] * h * inflow0, entered_before = 0;
-
   std::span<const double> before = y0;
-  for (std::size_t j = 2; j <= static_cast<std::size_t>(scheme.recurrence_stages()); ++j) {
-    const double time = t + scheme.c[j - 1] * h;
+  for (std::size_t j = 2; j <= stages; ++j) {
     Stage stage{
         .y1 = result_.data(), .a = scheme.m[j], .d = scheme.mt[j] * h, .y2 = before.data(), .b = scheme.n[j]};
     if (scheme.keeps_first_stage) {
@@ -61,15 +80,12 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
       stage.f0 = f0.data();
       stage.e = scheme.gt[j] * h;
     }
-    if (inflow) {
-      const double next = scheme.m[j] * entered + scheme.n[j] * entered_before +
-                          h * (scheme.mt[j] * rhs.inflow(time, result_) + scheme.gt[j] * inflow0);
-      entered_before = std::exchange(entered, next);
-    }
-    rhs.stage(time, stage, previous_);
+    links[linked++] = {.t = t + scheme.c[j - 1] * h, .stage = stage, .out = previous_.data()};
+    if (linked == longest_chain) run_chain();
     std::swap(result_, previous_);
     before = previous_;
   }
+  if (linked > 0) run_chain();
   if (inflow) *inflow += entered;
 }
 

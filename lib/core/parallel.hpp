@@ -11,12 +11,18 @@ namespace superstep {
 /// Below so many entries the start of a team costs more than it saves (a few microseconds against one).
 constexpr std::size_t smallest_parallel_range = 4096;
 
+/// Threads that a loop over `work` entries takes.
+[[nodiscard]] inline std::size_t threads_for(std::size_t work) noexcept {
+  if (work < smallest_parallel_range || omp_in_parallel()) return 1;
+  return static_cast<std::size_t>(omp_get_max_threads());
+}
+
 /// Calls body(first, last) for ranges that cover [0, count), each thread always the same one: what a thread
 /// touched first stays its own.
 ///   work  entries that the whole loop handles; decides whether threads pay
 template <class Body>
 void for_ranges(std::size_t count, std::size_t work, const Body& body) {
-  if (work < smallest_parallel_range || omp_get_max_threads() == 1 || omp_in_parallel()) {
+  if (threads_for(work) == 1) {
     body(std::size_t{0}, count);
     return;
   }

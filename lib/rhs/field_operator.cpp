@@ -19,6 +19,16 @@ double fourth_power(double x) noexcept {
   return (x * x) * (x * x);
 }
 
+/// Those of a list sorted by row that act on rows [first, last).
+template <class Entry>
+std::span<const Entry> in_rows(const std::vector<Entry>& sorted, std::size_t first, std::size_t last) {
+  const auto from = [&](std::size_t row) {
+    return std::lower_bound(sorted.begin(), sorted.end(), row,
+                            [](const Entry& entry, std::size_t bound) { return at(entry.row) < bound; });
+  };
+  return {from(first), from(last)};
+}
+
 double largest_magnitude(const TimeTable& table) noexcept {
   return std::max(std::abs(table.lowest()), std::abs(table.highest()));
 }
@@ -53,6 +63,9 @@ FieldOperator::FieldOperator(Network network)
     largest_rate[i] += std::abs(sources_.back().rate);
     total_source_ += network_.source[i];
   }
+  for (const auto& source : network_.tabled_sources) tabled_.push_back({source.node, source.table});
+  std::stable_sort(tabled_.begin(), tabled_.end(),
+                   [](const TabledRate& a, const TabledRate& b) { return a.row < b.row; });
   for (const auto& source : network_.tabled_sources) {
     const double largest = largest_magnitude(network_.tables[at(source.table)]);
     largest_rate[at(source.node)] += largest / network_.capacity[at(source.node)];
@@ -61,6 +74,7 @@ FieldOperator::FieldOperator(Network network)
   for (const double rate : largest_rate) source_rate_ = std::max(source_rate_, rate);
   constant_ghosts_ = std::all_of(network_.ghost_table.begin(), network_.ghost_table.end(),
                                  [](std::int32_t table) { return table < 0; });
+  constant_inputs_ = network_.inputs_are_constant();
   for (const auto& exchange : network_.radiation)
     radiation_.push_back({exchange.node, exchange.table,
                           exchange.coefficient / network_.capacity[at(exchange.node)],
@@ -93,36 +107,59 @@ double FieldOperator::ambient4(const RadiationRate& radiation, double t) const n
   return radiation.table < 0 ? radiation.ambient4 : fourth_power(network_.tables[at(radiation.table)].at(t));
 }
 
-void FieldOperator::stage(double t, const Stage& stage, double* out) {
-  fused_sweep(rate_, stage, out);
-  const auto ghost_value = ghost_values(t);
-  for (const auto& ghost : ghosts_)
-    out[at(ghost.row)] += stage.d * ghost.rate * (ghost_value[at(ghost.ghost)] - stage.y1[ghost.row]);
-  for (const auto& source : sources_) out[at(source.row)] += stage.d * source.rate;
-  for (const auto& source : network_.tabled_sources)
-    out[at(source.node)] +=
-        stage.d * network_.tables[at(source.table)].at(t) / network_.capacity[at(source.node)];
-  for (const auto& radiation : radiation_)
+void FieldOperator::add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last,
+                               double* out) const {
+  for (const auto& ghost : in_rows(ghosts_, first, last))
+    out[at(ghost.row)] += stage.d * ghost.rate * (ghost_value_[at(ghost.ghost)] - stage.y1[ghost.row]);
+  for (const auto& source : in_rows(sources_, first, last)) out[at(source.row)] += stage.d * source.rate;
+  for (const auto& source : in_rows(tabled_, first, last))
+    out[at(source.row)] +=
+        stage.d * network_.tables[at(source.table)].at(t) / network_.capacity[at(source.row)];
+  for (const auto& radiation : in_rows(radiation_, first, last))
     out[at(radiation.row)] +=
         stage.d * radiation.rate * (ambient4(radiation, t) - fourth_power(stage.y1[radiation.row]));
 }
 
+void FieldOperator::stage(double t, const Stage& stage, double* out) {
+  (void)ghost_values(t);
+  for_slices(rate_, [&](std::size_t first, std::size_t last) { stage_slices(t, stage, first, last, out); });
+}
+
+void FieldOperator::stage_slices(double t, const Stage& stage, std::size_t first, std::size_t last,
+                                 double* out) const noexcept {
+  fused_sweep(rate_, stage, first, last, out);
+  add_inputs(t, stage, first * SlicedRows::lanes, last * SlicedRows::lanes, out);
+}
+
 void FieldOperator::conduction_stage(const Stage& stage, double* out) const {
-  fused_sweep(rate_, stage, out);
-  for (const auto& ghost : ghosts_) out[at(ghost.row)] -= stage.d * ghost.rate * stage.y1[ghost.row];
+  for_slices(rate_, [&](std::size_t first, std::size_t last) {
+    fused_sweep(rate_, stage, first, last, out);
+    for (const auto& ghost : in_rows(ghosts_, first * SlicedRows::lanes, last * SlicedRows::lanes))
+      out[at(ghost.row)] -= stage.d * ghost.rate * stage.y1[ghost.row];
+  });
 }
 
 double FieldOperator::inflow(double t, std::span<const double> y) {
-  const auto ghost_value = ghost_values(t);
-  double sum = 0;
-  for (const auto& edge : network_.ghost_edges)
-    sum += edge.conductance * (ghost_value[at(edge.ghost)] - y[at(edge.row)]);
-  for (const auto& source : sources_) sum += source.rate * network_.capacity[at(source.row)];
-  for (const auto& source : network_.tabled_sources) sum += network_.tables[at(source.table)].at(t);
-  for (const auto& radiation : radiation_)
-    sum += radiation.rate * network_.capacity[at(radiation.row)] *
-           (ambient4(radiation, t) - fourth_power(y[at(radiation.row)]));
-  return sum;
+  (void)ghost_values(t);
+  RowInflow sum;
+  add_inflow(t, y.data(), 0, size(), sum);
+  return total_inflow(t, sum);
+}
+
+void FieldOperator::add_inflow(double t, const double* y, std::size_t first, std::size_t last,
+                               RowInflow& sum) const {
+  for (const auto& edge : in_rows(network_.ghost_edges, first, last))
+    sum.exchanged += edge.conductance * (ghost_value_[at(edge.ghost)] - y[edge.row]);
+  for (const auto& radiation : in_rows(radiation_, first, last))
+    sum.radiated += radiation.rate * network_.capacity[at(radiation.row)] *
+                    (ambient4(radiation, t) - fourth_power(y[radiation.row]));
+}
+
+double FieldOperator::total_inflow(double t, const RowInflow& sum) const {
+  double supplied = 0;
+  for (const auto& source : sources_) supplied += source.rate * network_.capacity[at(source.row)];
+  for (const auto& source : tabled_) supplied += network_.tables[at(source.table)].at(t);
+  return sum.exchanged + supplied + sum.radiated;
 }
 
 double FieldOperator::conduction_inflow(std::span<const double> v) const {

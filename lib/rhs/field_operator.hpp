@@ -7,6 +7,7 @@
 
 #include "network/network.hpp"
 #include "rhs/rhs.hpp"
+#include "rhs/skewed_passes.hpp"
 #include "rhs/sliced_rows.hpp"
 
 namespace superstep {
@@ -28,6 +29,15 @@ class FieldOperator {
 
   /// out = stage with f = the whole right-hand side of the field at (t, y1). One sweep.
   void stage(double t, const Stage& stage, double* out);
+  /// The stages of a chain, see Rhs::chain.
+  ///   drive  rates [n] added to f [K/s or V/s], or empty
+  void chain(std::span<ChainedStage> stages, bool with_inflow, std::span<const double> drive,
+             ChainObserver* observer);
+  /// What of a chain's data may stay in the cache [bytes]; decides how many stages pass over the network
+  /// together. Results do not depend on it.
+  void assume_cache(std::size_t bytes) noexcept { cache_bytes_ = bytes; }
+  /// Stages that pass over the network together.
+  [[nodiscard]] std::size_t chain_depth() const noexcept;
   /// out = stage with f = conduction alone, fixed values taken as 0: J y1 without radiation. One sweep.
   void conduction_stage(const Stage& stage, double* out) const;
   /// Values of the ghosts at t [g].
@@ -61,6 +71,9 @@ class FieldOperator {
     std::int32_t row;
     double rate;  ///< Q/C [K/s or V/s]
   };
+  struct TabledRate {
+    std::int32_t row, table;
+  };
   struct RadiationRate {
     std::int32_t row, table;
     double rate;  ///< emissivity sigma_SB A/C [1/(K^3 s)]
@@ -68,14 +81,34 @@ class FieldOperator {
   };
 
   [[nodiscard]] double ambient4(const RadiationRate& radiation, double t) const noexcept;
+  /// What flows into rows, as far as it depends on them [W or A].
+  struct RowInflow {
+    double exchanged = 0, radiated = 0;
+  };
+  void add_inflow(double t, const double* y, std::size_t first, std::size_t last, RowInflow& sum) const;
+  /// With what sources supply.
+  [[nodiscard]] double total_inflow(double t, const RowInflow& sum) const;
+
+  // For a time that `ghost_values` has been called with.
+  void stage_slices(double t, const Stage& stage, std::size_t first, std::size_t last,
+                    double* out) const noexcept;
+  void add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last, double* out) const;
+
+  [[nodiscard]] SkewedBlocks chain_blocks() const noexcept;
+  void pass_together(std::span<ChainedStage> stages, std::size_t first_stage, bool with_inflow,
+                     std::span<const double> drive, ChainObserver* observer);
 
   Network network_;
   SlicedRows rate_;  ///< K_ij/C_i [1/s]
   std::vector<GhostRate> ghosts_;
   std::vector<double> ghost_value_;  ///< [g] at `ghost_time_`
   std::vector<SourceRate> sources_;
+  std::vector<TabledRate> tabled_;
   std::vector<RadiationRate> radiation_;
-  bool constant_ghosts_ = true;
+  bool constant_ghosts_ = true, constant_inputs_ = true;
+  // Half of the last cache of common processors. More than there is costs little: what does not fit comes
+  // from memory as it would have without.
+  std::size_t cache_bytes_ = std::size_t{12} << 20;
   double ghost_time_ = 0, source_rate_ = 0, total_source_ = 0, total_capacity_ = 0;
 };
 

@@ -33,13 +33,24 @@ NetworkRhs::NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_n
 
 void NetworkRhs::do_stage(double t, const Stage& stage, std::span<double> out) {
   field_->stage(t, stage, out.data());
-  for (std::size_t i = 0; i < drive_.size(); ++i) out[i] += stage.d * drive_[i];
+  for_each_entry(drive_.size(), [&](std::size_t i) { out[i] += stage.d * drive_[i]; });
+}
+
+void NetworkRhs::do_chain(std::span<ChainedStage> stages, bool with_inflow, ChainObserver* observer) {
+  field_->chain(stages, with_inflow, drive_, observer);
+  if (drive_.empty() || !with_inflow) return;
+  const double driven = drive_inflow();
+  for (auto& stage : stages) stage.inflow += driven;
+}
+
+double NetworkRhs::drive_inflow() const noexcept {
+  double sum = 0;
+  for (std::size_t i = 0; i < drive_.size(); ++i) sum += network().capacity[i] * drive_[i];
+  return sum;
 }
 
 double NetworkRhs::inflow(double t, std::span<const double> y) {
-  double sum = field_->inflow(t, y);
-  for (std::size_t i = 0; i < drive_.size(); ++i) sum += network().capacity[i] * drive_[i];
-  return sum;
+  return field_->inflow(t, y) + drive_inflow();
 }
 
 void NetworkRhs::do_linear_stage(const Stage& stage, std::span<double> out) {

@@ -32,15 +32,20 @@ class NetworkRhs final : public Rhs {
   [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
 
   [[nodiscard]] const Network& network() const noexcept { return field_->network(); }
+  /// See FieldOperator::assume_cache.
+  void assume_cache(std::size_t bytes) noexcept { field_->assume_cache(bytes); }
   /// Rates [n] added to f from now on [K/s or V/s]; they must outlive their use. Empty = none.
   void drive(std::span<const double> rate) noexcept { drive_ = rate; }
 
  private:
   void do_stage(double t, const Stage& stage, std::span<double> out) override;
+  void do_chain(std::span<ChainedStage> stages, bool with_inflow, ChainObserver* observer) override;
   void do_linear_stage(const Stage& stage, std::span<double> out) override;
   void do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) override;
   void do_jacobian(double t, std::span<const double> y, std::span<double> values) override;
   [[nodiscard]] SparsePattern build_pattern() override;
+
+  [[nodiscard]] double drive_inflow() const noexcept;
 
   std::shared_ptr<FieldOperator> field_;
   std::span<const double> drive_;

@@ -10,6 +10,7 @@
 
 #include "core/reduction.hpp"
 #include "rhs/sparse_pattern.hpp"
+#include "rhs/stage.hpp"
 
 namespace superstep {
 
@@ -30,20 +31,6 @@ struct FieldView {
   std::string name;  ///< "temperature" or "potential"
   std::string unit;  ///< "K" or "V"
   std::size_t offset = 0, stride = 1, count = 0;
-};
-
-/// One stage of a three-term method, done in a single pass over the network:
-///   out = a*y1 + b*y2 + c*y0 + d*f(t, y1) + e*f0
-/// Terms with a null vector do not exist. `out` may be y2 but not y1.
-struct Stage {
-  const double* y1 = nullptr;
-  double a = 1, d = 0;
-  const double* y2 = nullptr;
-  double b = 0;
-  const double* y0 = nullptr;
-  double c = 0;
-  const double* f0 = nullptr;
-  double e = 0;
 };
 
 /// Work done by a right-hand side since the last reset.
@@ -78,7 +65,14 @@ class Rhs {
     counters_->sweeps += networks_swept_;
     do_stage(t, stage, out);
   }
-  /// The same with f(t, y1) replaced by J*y1; only for linear right-hand sides. One sweep.
+  /// At most `longest_chain` stages in a row, the same as one by one. On networks beyond the cache they pass
+  /// over it together, which spares most of the traffic.
+  ///   with_inflow  sets the inflow of every stage, too
+  void chain(std::span<ChainedStage> stages, bool with_inflow, ChainObserver* observer = nullptr) {
+    counters_->sweeps += networks_swept_ * stages.size();
+    do_chain(stages, with_inflow, observer);
+  }
+  /// The same as `stage` with f(t, y1) replaced by J*y1; only for linear right-hand sides. One sweep.
   void linear_stage(const Stage& stage, std::span<double> out) {
     ++counters_->sweeps;
     do_linear_stage(stage, out);
@@ -150,6 +144,7 @@ class Rhs {
 
  private:
   virtual void do_stage(double t, const Stage& stage, std::span<double> out) = 0;
+  virtual void do_chain(std::span<ChainedStage> stages, bool with_inflow, ChainObserver* observer);
   virtual void do_linear_stage(const Stage& stage, std::span<double> out) = 0;
   virtual void do_block_product(std::size_t field, std::span<const double> v, std::span<double> out) = 0;
   virtual void do_jacobian(double t, std::span<const double> y, std::span<double> values) = 0;

@@ -51,9 +51,15 @@ class SlicedRows {
   AlignedArray<double> value_;
 };
 
+/// Calls body(first, last) for ranges that cover all slices, each thread always the same one.
+template <class Body>
+void for_slices(const SlicedRows& rows, const Body& body) {
+  for_ranges(rows.slices(), rows.rows(), body);
+}
+
 template <class ValueOf>
 void SlicedRows::set_values(std::span<const std::int64_t> row_begin, const ValueOf& value_of) {
-  for_ranges(slices(), rows_, [&](std::size_t first, std::size_t last) {
+  for_slices(*this, [&](std::size_t first, std::size_t last) {
     for (std::size_t row = first * lanes; row < std::min(last * lanes, rows_); ++row) {
       const auto begin = static_cast<std::size_t>(row_begin[row]);
       for (std::size_t k = begin; k < static_cast<std::size_t>(row_begin[row + 1]); ++k)

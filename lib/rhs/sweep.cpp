@@ -209,16 +209,19 @@ std::span<const SweepKernel> sweep_kernels() noexcept {
   return std::span(kernels.list).first(kernels.count);
 }
 
+void fused_sweep(const SlicedRows& rate, const Stage& stage, std::size_t first, std::size_t last,
+                 double* out) noexcept {
+  sweep_kernels().front().sweep(rate, stage, first, last, out);
+}
+
 void fused_sweep(const SlicedRows& rate, const Stage& stage, double* out) noexcept {
-  const auto sweep = sweep_kernels().front().sweep;
-  for_ranges(rate.slices(), rate.rows(),
-             [&](std::size_t first, std::size_t last) { sweep(rate, stage, first, last, out); });
+  for_slices(rate, [&](std::size_t first, std::size_t last) { fused_sweep(rate, stage, first, last, out); });
 }
 
 void heat_sweep(const SlicedRows& weight, const double* potential, const double* inverse_capacity,
                 double* out) noexcept {
   const auto heat = sweep_kernels().front().heat;
-  for_ranges(weight.slices(), weight.rows(), [&](std::size_t first, std::size_t last) {
+  for_slices(weight, [&](std::size_t first, std::size_t last) {
     heat(weight, potential, inverse_capacity, first, last, out);
   });
 }

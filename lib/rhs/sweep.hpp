@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <span>
 
-#include "rhs/rhs.hpp"
 #include "rhs/sliced_rows.hpp"
+#include "rhs/stage.hpp"
 
 namespace superstep {
 
@@ -32,6 +32,9 @@ struct SweepKernel {
 /// out = a*y1 + b*y2 + c*y0 + d*sum_j rate_ij (y1_j - y1_i) + e*f0 for all rows, rate_ij = K_ij/C_i [1/s].
 /// Differences, not row sums: a uniform state stays exactly as it is.
 void fused_sweep(const SlicedRows& rate, const Stage& stage, double* out) noexcept;
+/// The same for the rows of slices [first, last), on this thread.
+void fused_sweep(const SlicedRows& rate, const Stage& stage, std::size_t first, std::size_t last,
+                 double* out) noexcept;
 
 /// out_i = sum_j weight_ij (V_j - V_i)^2 / C_i for all rows: Joule heat [K/s].
 void heat_sweep(const SlicedRows& weight, const double* potential, const double* inverse_capacity,
