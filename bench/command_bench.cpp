@@ -23,7 +23,8 @@ namespace {
 
 std::vector<LoadedCase> load_all(const BenchCommand& command) {
   check_specs(command.harness.integrators);
-  if (command.harness.reference != "none") check_specs({command.harness.reference});
+  const auto& reference = command.harness.reference;
+  if (!reference.empty() && reference != "none") check_specs({reference});
   std::vector<LoadedCase> cases;
   for (const auto& file : command.case_files) cases.push_back(load_case(file));
   return cases;

@@ -108,16 +108,16 @@ BenchCase CaseBench::describe() const {
 
 void CaseBench::find_reference(BenchCase& out) {
   if (options_.reference == "none") return;
-  auto result =
-      obtain_reference(scene_, probes_, {options_.reference, options_.use_cache, options_.stop}, progress_);
+  const std::string spec = options_.reference.empty() ? default_reference(scene_) : options_.reference;
+  auto result = obtain_reference(scene_, probes_, {spec, options_.use_cache, options_.stop}, progress_);
   out.warnings.insert(out.warnings.end(), result.warnings.begin(), result.warnings.end());
   reference_ = std::move(result.reference);
   if (reference_ && scene_.packed) observations_.slice = slice_of(scene_, *reference_);
   if (reference_)
     out.reference = ReferenceFacts{reference_->spec, reference_->from_cache, reference_->cpu_seconds};
   else if (!stopped())
-    out.warnings.push_back(fmt::format("no errors are measured: the reference {} did not succeed: {}",
-                                       options_.reference, result.outcome.reason));
+    out.warnings.push_back(fmt::format("no errors are measured: the reference {} did not succeed: {}", spec,
+                                       result.outcome.reason));
 }
 
 // "3 of 7 sts:n=20": which method is on.

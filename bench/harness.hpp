@@ -16,8 +16,8 @@
 namespace superstep {
 
 struct HarnessOptions {
-  std::vector<std::string> integrators;       ///< SPECs; empty = those of the case
-  std::string reference = "cvode:rtol=1e-9";  ///< SPEC, or "none": errors are not measured
+  std::vector<std::string> integrators;  ///< SPECs; empty = those of the case
+  std::string reference;  ///< SPEC; empty = as the scene needs; "none" = errors are not measured
   bool use_cache = true;
   int repetitions = 3;                      ///< timed runs of each method, >= 1
   int threads = 1;                          ///< recorded beside the timings

@@ -108,6 +108,13 @@ ReferenceResult compute(const Scene& scene, const ProbeSet& probes, const Refere
 
 }  // namespace
 
+std::string default_reference(const Scene& scene) {
+  // A factorization of a cube of 93 000 nodes takes more than ten thousand sweeps.
+  constexpr std::size_t most_for_klu = 50'000;  // unknowns
+  if (scene.rhs->size() <= most_for_klu) return "cvode:rtol=1e-9,linsol=klu";
+  return exactly_solvable(*scene.rhs) ? "exponential:rtol=1e-14" : "cvode:rtol=1e-9";
+}
+
 ReferenceResult obtain_reference(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& request,
                                  Progress& progress) {
   const std::string file = request.use_cache ? cache_file(cache_key(scene, request.spec)) : std::string{};

@@ -14,7 +14,7 @@
 namespace superstep {
 
 struct ReferenceRequest {
-  std::string spec = "cvode:rtol=1e-9";
+  std::string spec;
   bool use_cache = true;
   const std::atomic<bool>* stop = nullptr;
 };
@@ -37,6 +37,10 @@ struct ReferenceResult {
   Outcome outcome;
   std::vector<std::string> warnings;
 };
+
+/// CVODE with KLU; on networks whose factors would be out of proportion the exponential where it is exact,
+/// and CVODE with a lighter solver elsewhere.
+[[nodiscard]] std::string default_reference(const Scene& scene);
 
 /// Takes the reference from the cache, or integrates it and puts it there. A cache that cannot be written is
 /// a warning.

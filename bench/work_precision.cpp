@@ -17,7 +17,7 @@
 namespace superstep {
 namespace {
 
-std::string default_reference(const Scene& scene) {
+std::string sharpest_reference(const Scene& scene) {
   return exactly_solvable(*scene.rhs) ? "exponential:rtol=1e-15" : "cvode:rtol=1e-10";
 }
 
@@ -61,7 +61,7 @@ class Sweep {
 
   void find_reference() {
     const ProbeSet probes(scene_);
-    const std::string spec = options_.reference.empty() ? default_reference(scene_) : options_.reference;
+    const std::string spec = options_.reference.empty() ? sharpest_reference(scene_) : options_.reference;
     auto result = obtain_reference(scene_, probes, {spec, options_.use_cache, options_.stop}, progress_);
     if (!result.reference)
       throw NumericalError(fmt::format("the reference {} did not succeed: {}", spec, result.outcome.reason));

@@ -1,4 +1,4 @@
-/// CVODE's variable-order BDF with a sparse direct solver, the reference of the harness.
+/// CVODE's variable-order BDF; with a sparse direct solver the reference of the harness.
 /// Source: Hindmarsh et al. (2005), SUNDIALS, doi:10.1145/1089014.1089020; KLU: Davis & Palamadai Natarajan
 /// (2010), doi:10.1145/1824801.1824814.
 
@@ -10,6 +10,7 @@
 #include "integrators/detail/cvode_linear_solver.hpp"
 #include "integrators/detail/error_weights.hpp"
 #include "integrators/detail/run_guard.hpp"
+#include "integrators/detail/shifted_solver.hpp"
 #include "integrators/detail/sundials.hpp"
 #include "integrators/registry.hpp"
 
@@ -24,8 +25,8 @@ class CvodeBdf final : public Integrator {
   explicit CvodeBdf(const Options& options)
       : rtol_(options.number("rtol").value_or(default_rtol)),
         atol_(options.number("atol").value_or(0.0)),
-        linsol_(options.word("linsol", "klu")),
-        ordering_(options.word("ordering", "metis")) {
+        linsol_(options.word("linsol", options.has("ordering") ? "klu" : "auto")),
+        ordering_(options.word("ordering", "auto")) {
     if (options.has("ordering") && linsol_ != "klu")
       throw UsageError("cvode: ordering goes with linsol=klu; leave it out, or choose that");
   }
@@ -36,6 +37,7 @@ class CvodeBdf final : public Integrator {
   [[nodiscard]] double time() const noexcept override { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept override { return state_; }
   [[nodiscard]] const Statistics& statistics() const noexcept override { return statistics_; }
+  [[nodiscard]] std::string choice() const override { return choice_; }
 
  private:
   static int derivative(double t, N_Vector y, N_Vector ydot, void* data) noexcept;
@@ -50,7 +52,7 @@ class CvodeBdf final : public Integrator {
   [[nodiscard]] Outcome failure(int flag) const;
 
   double rtol_, atol_;
-  std::string linsol_, ordering_;
+  std::string linsol_, ordering_, choice_;
   Rhs* rhs_ = nullptr;
   Plan plan_;
   RunGuard guard_;
@@ -110,7 +112,11 @@ void CvodeBdf::prepare(Rhs& rhs, const Plan& plan) {
 }
 
 void CvodeBdf::create_solver(double t) {
-  linear_solver_ = make_cvode_linear_solver(linsol_, ordering_, *rhs_, y_.get(), context_.get());
+  const bool automatic = linsol_ == "auto";
+  const std::string linsol = automatic ? fastest_linear_solver(*rhs_) : linsol_;
+  const std::string ordering = ordering_ == "auto" ? fastest_klu_ordering(*rhs_) : ordering_;
+  if (automatic) choice_ = linsol == "klu" ? "linsol=klu,ordering=" + ordering : "linsol=" + linsol;
+  linear_solver_ = make_cvode_linear_solver(linsol, ordering, *rhs_, y_.get(), context_.get());
   callback_data_ = {rhs_, this, linear_solver_.get()};
   cvode_.reset(CVodeCreate(CV_BDF, context_.get()));
   if (!cvode_) throw std::runtime_error("CVODE: out of memory");
@@ -198,13 +204,14 @@ std::vector<OptionKey> cvode_keys() {
   std::vector<OptionKey> keys = tolerance_keys("1e-6");
   keys.push_back({.name = "linsol",
                   .type = OptionKey::Type::word,
-                  .words = {"klu", "pcg", "gmres"},
+                  .words = {"klu", "cholmod", "pcg", "gmres"},
                   .fallback = "klu",
-                  .meaning = "linear solver; pcg and gmres are preconditioned by incomplete Cholesky"});
+                  .meaning = "sparse LU, sparse Cholesky, or Krylov methods behind incomplete Cholesky; auto "
+                             "takes the fastest"});
   keys.push_back({.name = "ordering",
                   .type = OptionKey::Type::word,
-                  .words = {"metis", "amd", "colamd"},
-                  .fallback = "metis",
+                  .words = {"auto", "metis", "amd", "colamd"},
+                  .fallback = "auto",
                   .meaning = "klu: fill-reducing ordering"});
   return keys;
 }
@@ -219,9 +226,10 @@ IntegratorEntry cvode_entry() {
           .adaptive = true,
           .keys = cvode_keys(),
           .examples = {"cvode:rtol=1e-4,ordering=amd", "cvode:rtol=1e-9", "cvode:rtol=1e-7,linsol=pcg",
-                       "cvode:rtol=1e-7,linsol=gmres"},
+                       "cvode:rtol=1e-7,linsol=gmres", "cvode:rtol=1e-7,linsol=cholmod"},
           .ladder = joined({rtol_ladder("cvode:linsol=pcg", 2, 9), rtol_ladder("cvode:linsol=gmres", 2, 9),
-                            rtol_ladder("cvode:linsol=klu", 2, 8, 2)}),
+                            rtol_ladder("cvode:linsol=klu", 2, 8, 2),
+                            rtol_ladder("cvode:linsol=cholmod", 2, 8, 2)}),
           .make = [](const Options& options) { return std::make_unique<CvodeBdf>(options); }};
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "core/state_vector.hpp"
 #include "integrators/detail/critical_step.hpp"
 #include "integrators/detail/run_guard.hpp"
 #include "integrators/registry.hpp"
@@ -83,7 +84,7 @@ class ForwardEuler final : public Integrator {
   Rhs* rhs_ = nullptr;
   RunGuard guard_;
   ProbeRecorder recorder_;
-  std::vector<double> state_, next_;
+  StateVector state_, next_;
   std::array<ChainedStage, longest_chain> links_;
   double t_ = 0, step_ = 0;
   bool track_inflow_ = false;

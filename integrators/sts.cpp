@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/state_vector.hpp"
 #include "integrators/detail/critical_step.hpp"
 #include "integrators/detail/run_guard.hpp"
 #include "integrators/detail/super_step.hpp"
@@ -176,7 +177,7 @@ class SuperTimeStepping final : public Integrator {
   SuperstepPlan plan_;
   OneWayCoupling* halves_ = nullptr;  ///< null: the state is stepped as a whole
   SuperstepEngine whole_, driver_, driven_;
-  std::vector<double> state_, rate_;
+  StateVector state_, rate_;
   double t_ = 0, superstep_ = 0;
   bool track_inflow_ = false;
   Statistics statistics_;

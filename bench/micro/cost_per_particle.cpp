@@ -1,13 +1,14 @@
 /// Cost per particle and sweep over network size, everything in turn within each round:
 ///   cost_per_particle CSV SVG [LARGEST_SIDE]     lattices of side^3 nodes, default up to 100^3
-/// Besides the fused sweep the reference kernel and Eigen's product and update, both in the order of the
-/// network and in the order of the file, and the STREAM triad; the fused sweep and the triad on all threads
-/// too, unless other programs keep the machine busy.
+/// Besides the fused sweep chains of stages that pass over the network together, the reference kernel,
+/// Eigen's product and update in the order of the network and in that of the file, and the STREAM triad;
+/// sweep, chain and triad on all threads too, unless other programs keep the machine busy.
 
 #include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 #include "bench/micro/networks.hpp"
 #include "core/atomic_file.hpp"
 #include "core/stopwatch.hpp"
+#include "rhs/field_operator.hpp"
 
 namespace superstep::micro {
 namespace {
@@ -49,10 +51,16 @@ class Rounds {
   [[nodiscard]] double seconds(const std::string& name) const { return median(find(name).cpu); }
   /// Median over rounds of the quotient of two pieces: noise that lasts longer than a round drops out.
   [[nodiscard]] double cpu_ratio(const std::string& over, const std::string& under) const {
-    return ratio(find(over).cpu, find(under).cpu);
+    return median(quotients(find(over).cpu, find(under).cpu));
   }
   [[nodiscard]] double wall_ratio(const std::string& over, const std::string& under) const {
-    return ratio(find(over).wall, find(under).wall);
+    return median(quotients(find(over).wall, find(under).wall));
+  }
+  /// How much better the first pair scales than the second: median of the quotients of each round.
+  [[nodiscard]] double wall_ratio_over(const std::string& over, const std::string& under,
+                                       const std::string& other_over, const std::string& other_under) const {
+    return median(quotients(quotients(find(over).wall, find(under).wall),
+                            quotients(find(other_over).wall, find(other_under).wall)));
   }
 
  private:
@@ -72,10 +80,10 @@ class Rounds {
     piece.cpu.push_back((process_cpu_seconds() - cpu) / piece.calls);
     piece.wall.push_back((wall_seconds() - wall) / piece.calls);
   }
-  static double ratio(const std::vector<double>& over, const std::vector<double>& under) {
-    std::vector<double> quotients;
-    for (std::size_t k = 0; k < over.size(); ++k) quotients.push_back(over[k] / under[k]);
-    return median(quotients);
+  static std::vector<double> quotients(const std::vector<double>& over, const std::vector<double>& under) {
+    std::vector<double> out;
+    for (std::size_t k = 0; k < over.size(); ++k) out.push_back(over[k] / under[k]);
+    return out;
   }
   [[nodiscard]] const Piece& find(const std::string& name) const {
     return *std::find_if(pieces_.begin(), pieces_.end(), [&](const auto& p) { return p.name == name; });
@@ -88,8 +96,12 @@ struct Point {
   std::size_t particles, nonzeros, entries;
   double ns_per_particle, ns_per_nonzero, gb_per_s, triad_gb_per_s, triad_fraction;
   double eigen, eigen_file_order, reference;  ///< times as slow as the fused sweep
+  std::size_t chain_depth;                    ///< stages that pass over the network together
+  double chain_ns_per_nonzero;                ///< and stage
   int threads;
-  double thread_speedup, triad_thread_speedup;  ///< 0 = not measured
+  // 0 = not measured
+  double thread_speedup, chain_thread_speedup, triad_thread_speedup;
+  double scaling_over_triad;  ///< of the sweep, over that of the triad in the same round
 };
 
 void eigen_stage(const EigenMatrix& matrix, const Stage& stage, double* out) {
@@ -99,6 +111,26 @@ void eigen_stage(const EigenMatrix& matrix, const Stage& stage, double* out) {
   result.noalias() = matrix * y1;
   result = stage.a * y1 + stage.b * y2 + stage.d * result;
 }
+
+/// A chain of Chebyshev stages, as long as chains get.
+class Chain {
+ public:
+  explicit Chain(const Network& network) : field_(network), u_(network.size(), 300.0), next_(u_) {
+    for (std::size_t k = 0; k < stages_.size(); ++k) {
+      stages_[k] = {.stage = {.y1 = u_.data(), .a = 2, .d = 1e-12, .y2 = next_.data(), .b = -1},
+                    .out = next_.data()};
+      std::swap(u_, next_);
+    }
+  }
+  void run() { field_.chain(stages_, false, {}, nullptr); }
+  [[nodiscard]] std::size_t depth() const { return field_.chain_depth(); }
+  [[nodiscard]] static double length() { return static_cast<double>(longest_chain); }
+
+ private:
+  FieldOperator field_;
+  std::vector<double> u_, next_;
+  std::array<ChainedStage, longest_chain> stages_;
+};
 
 /// Threads that wait for one another show how busy the machine is, not how they scale, when others use it.
 bool machine_is_quiet() {
@@ -115,9 +147,13 @@ Point measure(const std::string& name, const Graph& graph, const Network& networ
   std::vector<double> y1(rows.size(), 300.0), y2(rows.size(), 301.0), out(rows.size());
   const Stage stage{.y1 = y1.data(), .a = 1.2, .d = 1e-12, .y2 = y2.data(), .b = -0.2};
 
+  Chain chain(network);
+  omp_set_num_threads(1);
+  const std::size_t depth = chain.depth();
   Rounds rounds;
   rounds.add("sweep", 1, [&] { fused_sweep(sell, stage, out.data()); });
   rounds.add("triad", 1, [&] { triad.run(); });
+  rounds.add("chain", 1, [&] { chain.run(); });
   rounds.add("eigen", 1, [&] { eigen_stage(eigen, stage, out.data()); });
   rounds.add("eigen, file order", 1, [&] { eigen_stage(eigen_shuffled, stage, out.data()); });
   rounds.add("reference", 1, [&] { reference_sweep(rows.view(), stage, out.data()); });
@@ -127,27 +163,36 @@ Point measure(const std::string& name, const Graph& graph, const Network& networ
   Rounds teams;
   teams.add("sweep", 1, [&] { fused_sweep(sell, stage, out.data()); });
   teams.add("triad", 1, [&] { triad.run(); });
+  teams.add("chain", 1, [&] { chain.run(); });
+  teams.add("chain, all threads", all_threads, [&] { chain.run(); });
   teams.add("sweep, all threads", all_threads, [&] { fused_sweep(sell, stage, out.data()); });
   teams.add("triad, all threads", all_threads, [&] { triad.run(); });
   if (scaling) teams.run(15, 0.02);
 
   const double bytes = 12.0 * static_cast<double>(sell.entries()) + 24.0 * static_cast<double>(rows.size());
   const double sweep = rounds.seconds("sweep");
-  Point point{.network = name,
-              .particles = rows.size(),
-              .nonzeros = rows.nonzeros(),
-              .entries = sell.entries(),
-              .ns_per_particle = 1e9 * sweep / static_cast<double>(rows.size()),
-              .ns_per_nonzero = 1e9 * sweep / static_cast<double>(rows.nonzeros()),
-              .gb_per_s = 1e-9 * bytes / sweep,
-              .triad_gb_per_s = 1e-9 * triad.bytes() / rounds.seconds("triad"),
-              .triad_fraction = rounds.cpu_ratio("triad", "sweep") * bytes / triad.bytes(),
-              .eigen = rounds.cpu_ratio("eigen", "sweep"),
-              .eigen_file_order = rounds.cpu_ratio("eigen, file order", "sweep"),
-              .reference = rounds.cpu_ratio("reference", "sweep"),
-              .threads = all_threads,
-              .thread_speedup = scaling ? teams.wall_ratio("sweep", "sweep, all threads") : 0,
-              .triad_thread_speedup = scaling ? teams.wall_ratio("triad", "triad, all threads") : 0};
+  Point point{
+      .network = name,
+      .particles = rows.size(),
+      .nonzeros = rows.nonzeros(),
+      .entries = sell.entries(),
+      .ns_per_particle = 1e9 * sweep / static_cast<double>(rows.size()),
+      .ns_per_nonzero = 1e9 * sweep / static_cast<double>(rows.nonzeros()),
+      .gb_per_s = 1e-9 * bytes / sweep,
+      .triad_gb_per_s = 1e-9 * triad.bytes() / rounds.seconds("triad"),
+      .triad_fraction = rounds.cpu_ratio("triad", "sweep") * bytes / triad.bytes(),
+      .eigen = rounds.cpu_ratio("eigen", "sweep"),
+      .eigen_file_order = rounds.cpu_ratio("eigen, file order", "sweep"),
+      .reference = rounds.cpu_ratio("reference", "sweep"),
+      .chain_depth = depth,
+      .chain_ns_per_nonzero =
+          1e9 * rounds.seconds("chain") / Chain::length() / static_cast<double>(rows.nonzeros()),
+      .threads = all_threads,
+      .thread_speedup = scaling ? teams.wall_ratio("sweep", "sweep, all threads") : 0,
+      .chain_thread_speedup = scaling ? teams.wall_ratio("chain", "chain, all threads") : 0,
+      .triad_thread_speedup = scaling ? teams.wall_ratio("triad", "triad, all threads") : 0,
+      .scaling_over_triad =
+          scaling ? teams.wall_ratio_over("sweep", "sweep, all threads", "triad", "triad, all threads") : 0};
   return point;
 }
 
@@ -158,13 +203,16 @@ std::string cell(double value) {
 std::string csv(const std::vector<Point>& points) {
   std::string out =
       "network,particles,nonzeros,stored_entries,ns_per_particle,ns_per_nonzero,gb_per_s,triad_gb_per_s,"
-      "triad_fraction,eigen_over_sweep,eigen_file_order_over_sweep,reference_over_sweep,threads,"
-      "thread_speedup,triad_thread_speedup\n";
+      "triad_fraction,eigen_over_sweep,eigen_file_order_over_sweep,reference_over_sweep,chain_depth,"
+      "chain_ns_per_nonzero,threads,thread_speedup,chain_thread_speedup,triad_thread_speedup,"
+      "scaling_over_triad\n";
   for (const auto& p : points)
-    out += fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3g},{:.3g},{:.3g},{:.3g},{},{},{}\n",
-                       p.network, p.particles, p.nonzeros, p.entries, p.ns_per_particle, p.ns_per_nonzero,
-                       p.gb_per_s, p.triad_gb_per_s, p.triad_fraction, p.eigen, p.eigen_file_order,
-                       p.reference, p.threads, cell(p.thread_speedup), cell(p.triad_thread_speedup));
+    out += fmt::format(
+        "{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3g},{:.3g},{:.3g},{:.3g},{},{:.4g},{},{},{},{},{}\n",
+        p.network, p.particles, p.nonzeros, p.entries, p.ns_per_particle, p.ns_per_nonzero, p.gb_per_s,
+        p.triad_gb_per_s, p.triad_fraction, p.eigen, p.eigen_file_order, p.reference, p.chain_depth,
+        p.chain_ns_per_nonzero, p.threads, cell(p.thread_speedup), cell(p.chain_thread_speedup),
+        cell(p.triad_thread_speedup), cell(p.scaling_over_triad));
   return out;
 }
 
@@ -218,15 +266,17 @@ class Figure {
 };
 
 std::string svg(const std::vector<Point>& points) {
-  std::vector<std::pair<double, double>> sweep, eigen, shuffled;
+  std::vector<std::pair<double, double>> sweep, chain, eigen, shuffled;
   for (const auto& p : points) {
     if (p.network != "lattice") continue;
     const auto n = static_cast<double>(p.particles);
     sweep.emplace_back(n, p.ns_per_nonzero);
+    chain.emplace_back(n, p.chain_ns_per_nonzero);
     eigen.emplace_back(n, p.ns_per_nonzero * p.eigen);
     shuffled.emplace_back(n, p.ns_per_nonzero * p.eigen_file_order);
   }
   Figure figure(sweep.front().first * 0.9, sweep.back().first);
+  figure.curve("stages together", "#93c", chain);
   figure.curve("fused sweep", "#0b6", sweep);
   figure.curve("Eigen", "#06b", eigen);
   figure.curve("Eigen, file order", "#b40", shuffled);
@@ -234,8 +284,11 @@ std::string svg(const std::vector<Point>& points) {
 }
 
 void show(const Point& p) {
-  fmt::print(stderr, "{} {} particles: {:.3g} ns/nonzero, {:.3g} GB/s, {:.2g} of the triad\n", p.network,
-             p.particles, p.ns_per_nonzero, p.gb_per_s, p.triad_fraction);
+  fmt::print(
+      stderr,
+      "{} {} particles: {:.3g} ns/nonzero, {:.3g} GB/s, {:.2g} of the triad; {} stages together {:.3g}\n",
+      p.network, p.particles, p.ns_per_nonzero, p.gb_per_s, p.triad_fraction, p.chain_depth,
+      p.chain_ns_per_nonzero);
 }
 
 int run(int argc, char** argv) {

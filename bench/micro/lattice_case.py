@@ -12,7 +12,7 @@ from pathlib import Path
 
 CASE = """title = "Jittered lattice, {count} spheres"
 t_end = {t_end}
-output_times = [{t_end}]
+output_times = [{early}, {middle}, {t_end}]
 
 [packing]
 file = "lattice_{n}.csv"
@@ -31,8 +31,14 @@ fixed = [ {{ where = {{ layer = {{ side = "top", thickness = 0.9 }} }}, value = 
           {{ where = {{ layer = {{ side = "bottom", thickness = 0.9 }} }}, value = 300.0 }} ]
 [bench]
 baseline = "forward-euler"
-integrators = ["forward-euler"]
+integrators = ["auto", "forward-euler"]
 """
+
+
+def case_values(n):
+    """Ends after some two and a half of the slowest time constants, which grow with the square of the side."""
+    t_end = 0.05 * n * n
+    return dict(n=n, count=n**3, early=0.02 * t_end, middle=0.2 * t_end, t_end=t_end)
 
 
 def main():
@@ -49,7 +55,7 @@ def main():
             r = 0.53 * uniform(0.98, 1.02) if uniform(0, 1) > 0.05 else 0.75
             out.write(f"{number},{x + uniform(-0.01, 0.01):.9f},{y + uniform(-0.01, 0.01):.9f},"
                       f"{z + uniform(-0.01, 0.01):.9f},{r:.6f}\n")
-    (folder / f"lattice_{n}.toml").write_text(CASE.format(n=n, count=n**3, t_end=1.0))
+    (folder / f"lattice_{n}.toml").write_text(CASE.format(**case_values(n)))
 
 
 main()

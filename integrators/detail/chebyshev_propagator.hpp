@@ -19,7 +19,7 @@ class ChebyshevPropagator final : public BatchPropagator, private ChainObserver 
   void add_inflow(std::size_t k, double inflow);
 
   double rtol_;
-  std::vector<double> u_, next_;
+  StateVector u_, next_;
   std::vector<std::vector<double>> coefficients_, integrals_;  ///< one list per output
   // Of the pass under way:
   std::span<Output> outputs_;

@@ -106,10 +106,10 @@ class GmresLinearSolver final : public CvodeLinearSolver {
   sundials::LinearSolver solver_;
 };
 
-/// Our conjugate gradients behind SUNDIALS' interface: a matrix without entries remembers gamma.
-class PcgLinearSolver final : public CvodeLinearSolver {
+/// One of our own solvers behind SUNDIALS' interface: a matrix without entries remembers gamma.
+class ShiftedLinearSolver final : public CvodeLinearSolver {
  public:
-  PcgLinearSolver(Rhs& rhs, SUNContext context) : pcg_(make_pcg_solver(rhs)) {
+  ShiftedLinearSolver(std::unique_ptr<ShiftedSolver> own, SUNContext context) : own_(std::move(own)) {
     matrix_.reset(SUNMatNewEmpty(context));
     solver_.reset(SUNLinSolNewEmpty(context));
     if (!matrix_ || !solver_) throw std::runtime_error("CVODE: out of memory for the linear solver");
@@ -126,8 +126,7 @@ class PcgLinearSolver final : public CvodeLinearSolver {
   }
 
   void attach(void* cvode) override {
-    check_sundials(CVodeSetLinearSolver(cvode, solver_.get(), matrix_.get()),
-                   "attaching conjugate gradients");
+    check_sundials(CVodeSetLinearSolver(cvode, solver_.get(), matrix_.get()), "attaching the linear solver");
     check_sundials(CVodeSetLinSysFn(cvode, linear_system), "setting the linear system");
   }
 
@@ -137,18 +136,18 @@ class PcgLinearSolver final : public CvodeLinearSolver {
                            N_Vector, N_Vector, N_Vector) noexcept {
     auto& callback = *static_cast<CvodeCallbackData*>(data);
     *jacobian_new = SUNTRUE;
-    auto& self = *static_cast<PcgLinearSolver*>(callback.linear_solver);
-    return self.pcg_->set(gamma, t, sundials::entries(y)) ? 0 : 1;
+    auto& self = *static_cast<ShiftedLinearSolver*>(callback.linear_solver);
+    return self.own_->set(gamma, t, sundials::entries(y)) ? 0 : 1;
   }
   static int solve(SUNLinearSolver solver, SUNMatrix /*matrix*/, N_Vector x, N_Vector b,
                    double /*tolerance*/) noexcept {
     // CVODE's Newton corrections are small already; three digits of each are enough for its convergence test.
     constexpr double relative_residual = 1e-3;
-    auto& self = *static_cast<PcgLinearSolver*>(solver->content);
-    return self.pcg_->solve(sundials::entries(b), sundials::entries(x), relative_residual) ? 0 : 1;
+    auto& self = *static_cast<ShiftedLinearSolver*>(solver->content);
+    return self.own_->solve(sundials::entries(b), sundials::entries(x), relative_residual) ? 0 : 1;
   }
 
-  std::unique_ptr<ShiftedSolver> pcg_;
+  std::unique_ptr<ShiftedSolver> own_;
   sundials::Matrix matrix_;
   sundials::LinearSolver solver_;
 };
@@ -163,9 +162,10 @@ std::unique_ptr<CvodeLinearSolver> make_cvode_linear_solver(const std::string& k
                                                             const std::string& ordering, Rhs& rhs, N_Vector y,
                                                             SUNContext context) {
   if (kind == "klu") return std::make_unique<KluLinearSolver>(ordering, rhs, y, context);
+  if (kind == "cholmod") return std::make_unique<ShiftedLinearSolver>(make_cholmod_solver(rhs), context);
   if (!rhs.traits().linear) throw Refused("linsol=" + kind + " needs a linear scene; use klu");
   if (kind == "gmres") return std::make_unique<GmresLinearSolver>(rhs, y, context);
-  return std::make_unique<PcgLinearSolver>(rhs, context);
+  return std::make_unique<ShiftedLinearSolver>(make_pcg_solver(rhs), context);
 }
 
 }  // namespace superstep

@@ -28,8 +28,9 @@ struct CvodeCallbackData {
 /// Throws std::runtime_error when a SUNDIALS call returned an error flag.
 void check_sundials(int flag, const char* what);
 
-/// `klu` with an ordering (metis, amd, colamd); `pcg`: conjugate gradients in the capacity inner product;
-/// `gmres`: SUNDIALS' SPGMR; the last two preconditioned by incomplete Cholesky. Throws Refused.
+/// `klu` with an ordering (metis, amd, colamd); `cholmod`: Cholesky; `pcg`: conjugate gradients in the
+/// capacity inner product; `gmres`: SUNDIALS' SPGMR; the last two preconditioned by incomplete Cholesky.
+/// Throws Refused.
 [[nodiscard]] std::unique_ptr<CvodeLinearSolver> make_cvode_linear_solver(const std::string& kind,
                                                                           const std::string& ordering,
                                                                           Rhs& rhs, N_Vector y,

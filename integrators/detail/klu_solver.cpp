@@ -19,7 +19,7 @@ class KluSolver final : public ShiftedSolver {
     jacobian_.resize(row_.size());
     matrix_.resize(row_.size());
     klu_l_defaults(&common_);
-    apply_klu_ordering("metis", common_);
+    apply_klu_ordering(fastest_klu_ordering(rhs), common_);
     symbolic_ =
         klu_l_analyze(static_cast<SuiteSparse_long>(rhs.size()), column_begin_.data(), row_.data(), &common_);
     if (!symbolic_) throw std::runtime_error("KLU cannot analyse the matrix: out of memory");

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/state_vector.hpp"
 #include "integrators/detail/run_guard.hpp"
 #include "integrators/detail/spectral_radius.hpp"
 #include "integrators/integrator.hpp"
@@ -30,7 +31,7 @@ class BatchPropagator : public Integrator {
   struct Output {
     double elapsed = 0;          ///< s
     bool full = true;            ///< the whole state is wanted, not only the probes
-    std::vector<double> state;   ///< [n], when full
+    StateVector state;           ///< [n], when full
     std::vector<double> probes;  ///< [probes], always
     double inflow = 0;           ///< J or C entered since the batch began, when tracked
   };
@@ -56,10 +57,10 @@ class BatchPropagator : public Integrator {
   Rhs* rhs_ = nullptr;
   Plan plan_;
   RunGuard guard_;
-  std::vector<double> first_state_;
+  StateVector first_state_;
   std::vector<Output> outputs_;
-  const std::vector<double>* origin_ = nullptr;
-  const std::vector<double>* current_ = nullptr;
+  const StateVector* origin_ = nullptr;
+  const StateVector* current_ = nullptr;
   std::size_t next_output_ = 0, batch_begin_ = 0, batch_size_ = 0;
   double t_ = 0, t_batch_ = 0, radius_ = 0, inflow_before_ = 0;
 };

@@ -1,6 +1,7 @@
 #pragma once
 /// One integrator for all stabilised families: error-controlled or fixed steps on the three-term engine.
 
+#include "core/state_vector.hpp"
 #include "integrators/detail/error_weights.hpp"
 #include "integrators/detail/run_guard.hpp"
 #include "integrators/detail/spectral_radius.hpp"
@@ -52,7 +53,7 @@ class Stabilised final : public Integrator {
   StepController controller_;
   ThreeTermScheme scheme_;
   ThreeTermEngine engine_;
-  std::vector<double> state_, derivative_, next_derivative_;
+  StateVector state_, derivative_, next_derivative_;
   double t_ = 0, t_end_ = 0, step_ = 0, radius_ = 0, trial_inflow_ = 0;
   int steps_since_radius_ = 0;
   bool track_inflow_ = false;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/state_vector.hpp"
 #include "integrators/detail/three_term.hpp"
 #include "rhs/rhs.hpp"
 
@@ -32,7 +33,7 @@ class SuperstepEngine {
  private:
   Rhs* rhs_ = nullptr;
   ThreeTermEngine engine_;
-  std::vector<double> state_;
+  StateVector state_;
 };
 
 }  // namespace superstep

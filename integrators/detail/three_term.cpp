@@ -95,7 +95,7 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
   const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
   const std::size_t n = y0.size();
   const auto time = [&](std::size_t stage) { return t + scheme.c[stage] * h; };
-  const auto place = [&](const std::vector<double>& change) {
+  const auto place = [&](std::span<const double> change) {
     for_each_entry(n, [&](std::size_t i) { argument_[i] = y0[i] + change[i]; });
   };
   // Changes D_j = Y_j - Y_0 of the last two stages, and of E' = inflow(t, y), started at 0.
@@ -142,7 +142,7 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
 
   const auto& a = scheme.finish->a;
   const auto& b = scheme.finish->b;
-  const auto sweep = [&](std::size_t k, const std::vector<double>& change) {
+  const auto sweep = [&](std::size_t k, std::span<const double> change) {
     if (inflow || !by_change) place(change);
     if (by_change)
       rhs.linear_stage({.y1 = change.data(),

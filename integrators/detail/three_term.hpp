@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/state_vector.hpp"
 #include "rhs/rhs.hpp"
 
 namespace superstep {
@@ -61,16 +62,16 @@ class ThreeTermEngine {
   /// The result is in `result()` until the next call; y0 is left as it is.
   void step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
             std::span<const double> f0, double* inflow);
-  [[nodiscard]] std::vector<double>& result() noexcept { return result_; }
+  [[nodiscard]] StateVector& result() noexcept { return result_; }
   /// F(G_1) ... F(G_4) of the last step's finishing procedure.
-  [[nodiscard]] const std::array<std::vector<double>, 4>& slopes() const noexcept { return slopes_; }
+  [[nodiscard]] const std::array<StateVector, 4>& slopes() const noexcept { return slopes_; }
 
  private:
   void step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
                         std::span<const double> y0, std::span<const double> f0, double* inflow);
 
-  std::vector<double> result_, previous_, argument_;
-  std::array<std::vector<double>, 4> slopes_;
+  StateVector result_, previous_, argument_;
+  std::array<StateVector, 4> slopes_;
 };
 
 }  // namespace superstep

@@ -13,8 +13,8 @@ constexpr int most_newton_iterations = 8;
 
 }  // namespace
 
-TrapezoidalNewton::TrapezoidalNewton(const TrapezoidalSettings& settings, MakeSolver make_solver)
-    : settings_(settings), make_solver_(make_solver), controller_(settings.phi == 0.5 ? 2 : 1) {}
+TrapezoidalNewton::TrapezoidalNewton(const TrapezoidalSettings& settings, std::string solver)
+    : settings_(settings), solver_name_(std::move(solver)), controller_(settings.phi == 0.5 ? 2 : 1) {}
 
 void TrapezoidalNewton::prepare(Rhs& rhs, const Plan& plan) {
   rhs_ = &rhs;
@@ -26,7 +26,9 @@ void TrapezoidalNewton::prepare(Rhs& rhs, const Plan& plan) {
   for (auto* v :
        {&state_, &next_, &derivative_, &next_derivative_, &earlier_derivative_, &residual_, &change_})
     v->resize(rhs.size());
-  solver_ = make_solver_(rhs);
+  const std::string solver = solver_name_ == "auto" ? fastest_linear_solver(rhs) : solver_name_;
+  if (solver_name_ == "auto") choice_ = "solver=" + solver;
+  solver_ = make_shifted_solver(solver, rhs);
 }
 
 void TrapezoidalNewton::start(double t, std::span<const double> y) {

@@ -17,8 +17,8 @@ struct TrapezoidalSettings {
 
 class TrapezoidalNewton final : public Integrator {
  public:
-  using MakeSolver = std::unique_ptr<ShiftedSolver> (*)(Rhs&);
-  TrapezoidalNewton(const TrapezoidalSettings& settings, MakeSolver make_solver);
+  ///   solver  klu, cholmod, pcg, or auto
+  TrapezoidalNewton(const TrapezoidalSettings& settings, std::string solver);
 
   void prepare(Rhs& rhs, const Plan& plan) override;
   void start(double t, std::span<const double> y) override;
@@ -26,6 +26,7 @@ class TrapezoidalNewton final : public Integrator {
   [[nodiscard]] double time() const noexcept override { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept override { return state_; }
   [[nodiscard]] const Statistics& statistics() const noexcept override { return statistics_; }
+  [[nodiscard]] std::string choice() const override { return choice_; }
 
  private:
   [[nodiscard]] Outcome advance_fixed(double t_out);
@@ -37,7 +38,7 @@ class TrapezoidalNewton final : public Integrator {
   [[nodiscard]] double first_step(double largest);
 
   TrapezoidalSettings settings_;
-  MakeSolver make_solver_;
+  std::string solver_name_, choice_;
   Rhs* rhs_ = nullptr;
   std::unique_ptr<ShiftedSolver> solver_;
   RunGuard guard_;

@@ -1,8 +1,5 @@
 #include "network/spd_solver.hpp"
 
-#include <cholmod.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -16,22 +13,6 @@ std::size_t at(std::int32_t k) noexcept {
 }
 
 }  // namespace
-
-struct SpdSolver::Factor {
-  Factor() { cholmod_l_start(&common); }
-  ~Factor() {
-    cholmod_l_free_sparse(&matrix, &common);
-    cholmod_l_free_factor(&factor, &common);
-    cholmod_l_finish(&common);
-  }
-  Factor(const Factor&) = delete;
-  Factor& operator=(const Factor&) = delete;
-
-  cholmod_common common{};
-  cholmod_sparse* matrix = nullptr;
-  cholmod_factor* factor = nullptr;
-  std::size_t fill = 0;
-};
 
 bool every_component_is_held(const Network& network) {
   std::vector<char> held(network.size(), 0);
@@ -49,74 +30,41 @@ bool every_component_is_held(const Network& network) {
   return std::all_of(held.begin(), held.end(), [](char h) { return h != 0; });
 }
 
-SpdSolver::SpdSolver(const Network& network, double shift) : factor_(std::make_unique<Factor>()) {
+SpdSolver::SpdSolver(const Network& network, double shift) {
   if (!(shift > 0) && !every_component_is_held(network))
     throw NumericalError("a part of the network touches no fixed node, so its steady state is not unique");
-  auto& common = factor_->common;
-  common.print = 0;
-  const std::size_t n = network.size();
-  factor_->matrix =
-      cholmod_l_allocate_sparse(n, n, network.nonzeros() / 2 + n, 1, 1, 1, CHOLMOD_REAL, &common);
-  if (!factor_->matrix) throw NumericalError("out of memory for the network matrix");
-  fill_values(network, shift);
-  factor_->factor = cholmod_l_analyze(factor_->matrix, &common);
-  factorize();
-}
-
-/// Upper triangle by columns: row j of the network holds column j, since the matrix is symmetric.
-void SpdSolver::fill_values(const Network& network, double shift) {
-  auto* begin = static_cast<SuiteSparse_long*>(factor_->matrix->p);
-  auto* row = static_cast<SuiteSparse_long*>(factor_->matrix->i);
-  auto* value = static_cast<double*>(factor_->matrix->x);
-  const auto total = network.total_conductance();
-  SuiteSparse_long out = 0;
+  // Row j of the network holds column j, since the matrix is symmetric.
+  std::vector<std::int64_t> column_begin{0}, row;
+  row.reserve(network.nonzeros() / 2 + network.size());
   for (std::size_t j = 0; j < network.size(); ++j) {
-    begin[j] = out;
-    for (auto k = network.row_begin[j]; k < network.row_begin[j + 1]; ++k) {
-      const auto i = network.column[static_cast<std::size_t>(k)];
-      if (at(i) > j) break;
-      row[out] = i;
-      value[out++] = -network.conductance[static_cast<std::size_t>(k)];
-    }
-    row[out] = static_cast<SuiteSparse_long>(j);
-    value[out++] = total[j] + shift * network.capacity[j];
+    for (auto k = network.row_begin[j]; k < network.row_begin[j + 1]; ++k)
+      if (const auto i = network.column[static_cast<std::size_t>(k)]; at(i) < j) row.push_back(i);
+    row.push_back(static_cast<std::int64_t>(j));
+    column_begin.push_back(static_cast<std::int64_t>(row.size()));
   }
-  begin[network.size()] = out;
-}
-
-void SpdSolver::factorize() {
-  auto& common = factor_->common;
-  if (factor_->factor) cholmod_l_factorize(factor_->matrix, factor_->factor, &common);
-  if (!factor_->factor || common.status != CHOLMOD_OK)
-    throw NumericalError(
-        fmt::format("the network matrix could not be factorized (CHOLMOD status {})", common.status));
-  factor_->fill = static_cast<std::size_t>(common.lnz);
+  factor_ = std::make_unique<CholmodFactor>(column_begin, row);
+  refactorize(network, shift);
 }
 
 void SpdSolver::refactorize(const Network& network, double shift) {
-  fill_values(network, shift);
-  factorize();
-}
-
-SpdSolver::~SpdSolver() = default;
-
-std::size_t SpdSolver::fill() const noexcept {
-  return factor_->fill;
+  const auto total = network.total_conductance();
+  const auto value = factor_->values();
+  std::size_t out = 0;
+  for (std::size_t j = 0; j < network.size(); ++j) {
+    for (auto k = static_cast<std::size_t>(network.row_begin[j]);
+         k < static_cast<std::size_t>(network.row_begin[j + 1]); ++k)
+      if (at(network.column[k]) < j) value[out++] = -network.conductance[k];
+    value[out++] = total[j] + shift * network.capacity[j];
+  }
+  if (!factor_->factorize())
+    throw NumericalError(
+        "the network matrix could not be factorized: not positive definite, or out of memory");
 }
 
 std::vector<double> SpdSolver::solve(std::span<const double> b) const {
-  std::vector<double> copy(b.begin(), b.end());
-  cholmod_dense right{};
-  right.nrow = right.d = right.nzmax = copy.size();
-  right.ncol = 1;
-  right.x = copy.data();
-  right.xtype = CHOLMOD_REAL;
-  right.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* x = cholmod_l_solve(CHOLMOD_A, factor_->factor, &right, &factor_->common);
-  if (!x) throw NumericalError("the network could not be solved: out of memory");
-  std::copy_n(static_cast<const double*>(x->x), copy.size(), copy.begin());
-  cholmod_l_free_dense(&x, &factor_->common);
-  return copy;
+  std::vector<double> x(b.size());
+  if (!factor_->solve(b, x)) throw NumericalError("the network could not be solved: out of memory");
+  return x;
 }
 
 std::vector<double> steady_state(const Network& network) {

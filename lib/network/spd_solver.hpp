@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "network/cholmod_factor.hpp"
 #include "network/network.hpp"
 
 namespace superstep {
@@ -16,21 +17,14 @@ class SpdSolver {
   explicit SpdSolver(const Network& network, double shift = 0.0);
   /// Other conductances on the same graph: keeps the analysis. Throws NumericalError.
   void refactorize(const Network& network, double shift = 0.0);
-  ~SpdSolver();
-  SpdSolver(const SpdSolver&) = delete;
-  SpdSolver& operator=(const SpdSolver&) = delete;
 
   /// x [n] for b [n] (W or A with shift 0).
   [[nodiscard]] std::vector<double> solve(std::span<const double> b) const;
   /// Entries of the Cholesky factor.
-  [[nodiscard]] std::size_t fill() const noexcept;
+  [[nodiscard]] std::size_t fill() const noexcept { return factor_->fill(); }
 
  private:
-  void fill_values(const Network& network, double shift);
-  void factorize();
-
-  struct Factor;
-  std::unique_ptr<Factor> factor_;
+  std::unique_ptr<CholmodFactor> factor_;
 };
 
 /// True when every component of the free network touches a fixed node.

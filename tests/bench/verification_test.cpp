@@ -46,7 +46,8 @@ class RodVerification : public testing::Test {
   Scene scene_ = load_scene(write_rod(folder_, Rod{}));
   ProbeSet probes_{scene_};
   Progress silent_{false};
-  Reference reference_ = obtain_reference(scene_, probes_, {}, silent_).reference.value();
+  Reference reference_ =
+      obtain_reference(scene_, probes_, {.spec = "cvode:rtol=1e-9"}, silent_).reference.value();
 };
 
 TEST_F(RodVerification, TheReferenceHasNoErrorAgainstItself) {

@@ -1,0 +1,94 @@
+#include "network/cholmod_factor.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
+namespace superstep {
+
+static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
+
+struct CholmodFactor::Handles {
+  Handles() {
+    cholmod_l_start(&common);
+    common.print = 0;
+  }
+  ~Handles() {
+    cholmod_l_free_dense(&solution, &common);
+    cholmod_l_free_dense(&work, &common);
+    cholmod_l_free_dense(&sparse_work, &common);
+    cholmod_l_free_factor(&factor, &common);
+    cholmod_l_free_sparse(&matrix, &common);
+    cholmod_l_finish(&common);
+  }
+  Handles(const Handles&) = delete;
+  Handles& operator=(const Handles&) = delete;
+
+  cholmod_common common{};
+  cholmod_sparse* matrix = nullptr;
+  cholmod_factor* factor = nullptr;
+  cholmod_dense *solution = nullptr, *work = nullptr, *sparse_work = nullptr;  // kept from solve to solve
+  std::size_t fill = 0;
+};
+
+CholmodFactor::CholmodFactor(std::span<const std::int64_t> column_begin, std::span<const std::int64_t> row)
+    : handles_(std::make_unique<Handles>()) {
+  constexpr int sorted = 1, packed = 1, upper = 1;
+  auto& [common, matrix, factor, solution, work, sparse_work, fill] = *handles_;
+  const std::size_t n = column_begin.size() - 1;
+  matrix = cholmod_l_allocate_sparse(n, n, row.size(), sorted, packed, upper, CHOLMOD_REAL, &common);
+  if (!matrix) throw NumericalError("out of memory for a symmetric matrix");
+  std::copy(column_begin.begin(), column_begin.end(), static_cast<SuiteSparse_long*>(matrix->p));
+  std::copy(row.begin(), row.end(), static_cast<SuiteSparse_long*>(matrix->i));
+  std::fill_n(static_cast<double*>(matrix->x), row.size(), 0.0);
+  factor = cholmod_l_analyze(matrix, &common);
+  if (!factor) throw NumericalError("out of memory for the analysis of a symmetric matrix");
+}
+
+CholmodFactor::~CholmodFactor() = default;
+
+std::span<double> CholmodFactor::values() noexcept {
+  return {static_cast<double*>(handles_->matrix->x), handles_->matrix->nzmax};
+}
+
+bool CholmodFactor::factorize() {
+  auto& common = handles_->common;
+  cholmod_l_factorize(handles_->matrix, handles_->factor, &common);
+  handles_->fill = static_cast<std::size_t>(common.lnz);
+  return common.status == CHOLMOD_OK;
+}
+
+bool CholmodFactor::solve(std::span<const double> b, std::span<double> x) {
+  auto& handles = *handles_;
+  if (!handles.solution)
+    handles.solution = cholmod_l_allocate_dense(b.size(), 1, b.size(), CHOLMOD_REAL, &handles.common);
+  if (!handles.solution) return false;
+  // By way of x, because CHOLMOD's interface does not promise to leave a right-hand side alone.
+  if (b.data() != x.data()) std::copy(b.begin(), b.end(), x.begin());
+  cholmod_dense right{};
+  right.nrow = right.d = right.nzmax = x.size();
+  right.ncol = 1;
+  right.x = x.data();
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  const int ok = cholmod_l_solve2(CHOLMOD_A, handles.factor, &right, nullptr, &handles.solution, nullptr,
+                                  &handles.work, &handles.sparse_work, &handles.common);
+  if (!ok) return false;
+  std::copy_n(static_cast<const double*>(handles.solution->x), x.size(), x.begin());
+  return true;
+}
+
+std::size_t CholmodFactor::fill() const noexcept {
+  return handles_->fill;
+}
+
+std::string CholmodFactor::method() const {
+  const auto& factor = *handles_->factor;
+  std::string out = factor.is_super ? "supernodal" : "simplicial";
+  if (factor.ordering == CHOLMOD_AMD) return out + ", amd";
+  return factor.ordering == CHOLMOD_METIS ? out + ", metis" : out + ", natural order";
+}
+
+}  // namespace superstep
