@@ -61,8 +61,8 @@ void integrate(benchmark::State& state, const std::string& spec) {
 const bool registered = [] {
   std::vector<std::string> specs;
   for (const auto& entry : integrators()) specs.push_back(entry.name);
-  for (const char* ordering : {"metis", "amd"})
-    specs.push_back(std::string("cvode:linsol=klu,ordering=") + ordering);
+  for (const char* solver : {"klu,ordering=metis", "klu,ordering=amd", "cholmod", "pcg", "gmres"})
+    specs.push_back(std::string("cvode:linsol=") + solver);
   for (const auto& spec : specs)
     benchmark::RegisterBenchmark(("integrate/nial/" + spec).c_str(), [spec](benchmark::State& state) {
       integrate(state, spec);

@@ -4,11 +4,13 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
 
 #include "bench/micro/networks.hpp"
+#include "core/stopwatch.hpp"
 #include "rhs/network_rhs.hpp"
 
 namespace superstep::micro {
@@ -56,11 +58,29 @@ Sample& sample(const std::string& name) {
   return all.emplace(name, make()).first->second;
 }
 
+/// Bytes per second of the triad, measured once in this process.
+double triad_rate() {
+  static const double rate = [] {
+    Triad arrays;
+    std::vector<double> seconds;
+    for (int k = 0; k < 15; ++k) {
+      const double start = process_cpu_seconds();
+      arrays.run();
+      seconds.push_back(process_cpu_seconds() - start);
+    }
+    std::nth_element(seconds.begin(), seconds.begin() + 7, seconds.end());
+    return arrays.bytes() / seconds[7];
+  }();
+  return rate;
+}
+
 void count(benchmark::State& state, const Sample& on) {
   state.counters["s_per_nonzero"] =
       benchmark::Counter(static_cast<double>(on.rows.nonzeros()),
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["B_per_s"] = benchmark::Counter(on.bytes(), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["of_triad"] =
+      benchmark::Counter(on.bytes() / triad_rate(), benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void register_sample(const std::string& name) {
