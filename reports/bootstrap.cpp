@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 namespace superstep {
 namespace {
@@ -31,21 +32,41 @@ class Draws {
   std::uint64_t state_ = 0x9E3779B97F4A7C15u;
 };
 
-std::vector<double> logarithms(const PairedTimings& timings) {
-  std::vector<double> out;
-  for (std::size_t k = 0; k < timings.rounds(); ++k)
-    out.push_back(std::log(timings.work[k] / timings.yardstick[k]));
-  return out;
+using Indices = std::vector<std::size_t>;
+
+/// Logarithm of what the picked rounds say about work in units of the yardstick.
+using Statistic = double (*)(const PairedTimings& timings, const Indices& rounds);
+
+/// Slow phases that last longer than a round drop out of its quotient.
+double median_of_quotients(const PairedTimings& timings, const Indices& rounds) {
+  std::vector<double> logarithms;
+  for (const std::size_t k : rounds) logarithms.push_back(std::log(timings.work[k] / timings.yardstick[k]));
+  return median(logarithms);
 }
 
-RatioInterval interval(const std::vector<double>& now, const std::vector<double>& before) {
+/// Slow phases shorter than a round hit few of the faster runs.
+double quotient_of_lower_quartiles(const PairedTimings& timings, const Indices& rounds) {
+  const auto lower_quartile = [&](const std::vector<double>& times) {
+    std::vector<double> picked;
+    for (const std::size_t k : rounds) picked.push_back(times[k]);
+    const auto quarter = picked.begin() + static_cast<std::ptrdiff_t>(picked.size() / 4);
+    std::nth_element(picked.begin(), quarter, picked.end());
+    return *quarter;
+  };
+  return std::log(lower_quartile(timings.work) / lower_quartile(timings.yardstick));
+}
+
+RatioInterval interval(Statistic statistic, const PairedTimings& now, const PairedTimings& before) {
   Draws draws;
-  std::vector<double> a = now, b = before, shifts;
-  const double estimate = median(a) - median(b);
+  Indices a(now.rounds()), b(before.rounds());
+  std::iota(a.begin(), a.end(), std::size_t{0});
+  std::iota(b.begin(), b.end(), std::size_t{0});
+  const double estimate = statistic(now, a) - statistic(before, b);
+  std::vector<double> shifts;
   for (int k = 0; k < resamples; ++k) {
-    for (double& value : a) value = now[draws.below(now.size())];
-    for (double& value : b) value = before[draws.below(before.size())];
-    shifts.push_back(median(a) - median(b));
+    for (auto& round : a) round = draws.below(now.rounds());
+    for (auto& round : b) round = draws.below(before.rounds());
+    shifts.push_back(statistic(now, a) - statistic(before, b));
   }
   std::sort(shifts.begin(), shifts.end());
   const auto last = static_cast<double>(resamples - 1);
@@ -56,14 +77,19 @@ RatioInterval interval(const std::vector<double>& now, const std::vector<double>
 }  // namespace
 
 RatioInterval slowdown(const PairedTimings& now, const PairedTimings& before) {
-  return interval(logarithms(now), logarithms(before));
+  const auto medians = interval(median_of_quotients, now, before);
+  const auto quartiles = interval(quotient_of_lower_quartiles, now, before);
+  const auto width = [](const RatioInterval& ratio) { return ratio.high / ratio.low; };
+  return width(quartiles) < width(medians) ? quartiles : medians;
 }
 
 RatioInterval against_itself(const PairedTimings& timings) {
-  std::vector<double> halves[2];
-  const auto all = logarithms(timings);
-  for (std::size_t k = 0; k < all.size(); ++k) halves[k % 2].push_back(all[k]);
-  return interval(halves[0], halves[1]);
+  PairedTimings halves[2];
+  for (std::size_t k = 0; k < timings.rounds(); ++k) {
+    halves[k % 2].work.push_back(timings.work[k]);
+    halves[k % 2].yardstick.push_back(timings.yardstick[k]);
+  }
+  return slowdown(halves[0], halves[1]);
 }
 
 }  // namespace superstep

@@ -19,9 +19,10 @@ struct PairedTimings {
   [[nodiscard]] std::size_t rounds() const noexcept { return work.size(); }
 };
 
-/// How many times longer `now.work` takes than `before.work` did, each in units of its own yardstick: the
-/// quotient of the medians over rounds of work/yardstick. Percentile bootstrap over rounds, the same random
-/// numbers every time. Both need at least one round.
+/// How many times longer `now.work` takes than `before.work` did, each in units of its own yardstick. Two
+/// estimates, each unmoved by another kind of noise: the median over rounds of work/yardstick, and the
+/// quotient of their lower quartiles; the one with the narrower interval is returned. Percentile bootstrap
+/// over rounds, the same random numbers every time. Both need at least one round.
 /// Source: Efron & Tibshirani (1993), An Introduction to the Bootstrap, chapter 13.
 [[nodiscard]] RatioInterval slowdown(const PairedTimings& now, const PairedTimings& before);
 
