@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "integrators/detail/kept_jacobian.hpp"
 #include "integrators/detail/shifted_solver.hpp"
 #include "integrators/integrator.hpp"
 #include "network/cholmod_factor.hpp"
@@ -10,7 +11,7 @@ namespace {
 /// Factorizes C (I - c J), which is symmetric and positive definite.
 class CholmodSolver final : public ShiftedSolver {
  public:
-  explicit CholmodSolver(Rhs& rhs) : rhs_(rhs) {
+  explicit CholmodSolver(Rhs& rhs) : rhs_(rhs), jacobian_(rhs) {
     if (!rhs.traits().symmetric)
       throw Refused("cholmod needs a symmetric Jacobian, which this scene does not have; use klu");
     const auto& pattern = rhs.pattern();
@@ -24,22 +25,18 @@ class CholmodSolver final : public ShiftedSolver {
       }
       column_begin.push_back(static_cast<std::int64_t>(row.size()));
     }
-    jacobian_.resize(pattern.row.size());
     factor_ = std::make_unique<CholmodFactor>(column_begin, row);
   }
 
   bool set(double c, double t, std::span<const double> y) override {
-    const bool stands = jacobian_version_ == rhs_.values_version() && rhs_.traits().constant_jacobian;
-    if (!stands) {
-      rhs_.jacobian(t, y, jacobian_);
-      jacobian_version_ = rhs_.values_version();
-    }
+    const bool stands = jacobian_.stands_at(t, y);
     if (stands && c == shift_) return true;
     const auto capacity = rhs_.capacities();
     const auto value = factor_->values();
     for (std::size_t k = 0; k < upper_.size(); ++k) {
       const auto& entry = upper_[k];
-      value[k] = capacity[entry.row] * ((entry.diagonal ? 1.0 : 0.0) - c * jacobian_[entry.position]);
+      value[k] =
+          capacity[entry.row] * ((entry.diagonal ? 1.0 : 0.0) - c * jacobian_.values()[entry.position]);
     }
     ++factorizations_;
     const bool ok = factor_->factorize();
@@ -61,9 +58,8 @@ class CholmodSolver final : public ShiftedSolver {
   };
   Rhs& rhs_;
   std::vector<Entry> upper_;
-  std::vector<double> jacobian_;
+  KeptJacobian jacobian_;
   std::unique_ptr<CholmodFactor> factor_;
-  std::uint64_t jacobian_version_ = 0;
   double shift_ = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "integrators/detail/kept_jacobian.hpp"
 #include "integrators/detail/klu_ordering.hpp"
 #include "integrators/detail/shifted_solver.hpp"
 
@@ -12,11 +13,10 @@ namespace {
 
 class KluSolver final : public ShiftedSolver {
  public:
-  explicit KluSolver(Rhs& rhs) : rhs_(rhs) {
+  explicit KluSolver(Rhs& rhs) : rhs_(rhs), jacobian_(rhs) {
     const auto& pattern = rhs.pattern();
     column_begin_.assign(pattern.column_begin.begin(), pattern.column_begin.end());
     row_.assign(pattern.row.begin(), pattern.row.end());
-    jacobian_.resize(row_.size());
     matrix_.resize(row_.size());
     klu_l_defaults(&common_);
     apply_klu_ordering(fastest_klu_ordering(rhs), common_);
@@ -32,13 +32,10 @@ class KluSolver final : public ShiftedSolver {
   KluSolver& operator=(const KluSolver&) = delete;
 
   bool set(double c, double t, std::span<const double> y) override {
-    const bool stands = jacobian_version_ == rhs_.values_version() && rhs_.traits().constant_jacobian;
-    if (!stands) {
-      rhs_.jacobian(t, y, jacobian_);
-      jacobian_version_ = rhs_.values_version();
-    }
+    const bool stands = jacobian_.stands_at(t, y);
     if (stands && c == shift_) return true;
-    std::transform(jacobian_.begin(), jacobian_.end(), matrix_.begin(), [c](double j) { return -c * j; });
+    std::transform(jacobian_.values().begin(), jacobian_.values().end(), matrix_.begin(),
+                   [c](double j) { return -c * j; });
     for (const auto k : rhs_.pattern().diagonal) matrix_[static_cast<std::size_t>(k)] += 1;
     ++factorizations_;
     shift_ = std::numeric_limits<double>::quiet_NaN();
@@ -61,8 +58,8 @@ class KluSolver final : public ShiftedSolver {
  private:
   Rhs& rhs_;
   std::vector<SuiteSparse_long> column_begin_, row_;
-  std::vector<double> jacobian_, matrix_;
-  std::uint64_t jacobian_version_ = 0;
+  KeptJacobian jacobian_;
+  std::vector<double> matrix_;
   double shift_ = std::numeric_limits<double>::quiet_NaN();
   klu_l_common common_{};
   klu_l_symbolic* symbolic_ = nullptr;
