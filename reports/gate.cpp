@@ -126,8 +126,9 @@ class Judge {
         return add(what, timings == &a ? "A/A " + text_of(itself) : "",
                    timings == &b ? "A/A " + text_of(itself) : "", Verdict::inconclusive);
     const auto ratio = slowdown(b, a);
+    const bool sure = ratio.below(limits_.unsure) && ratio.estimate <= limits_.slower;
     const Verdict verdict = ratio.above(limits_.slower)       ? Verdict::regressed
-                            : !ratio.below(limits_.unsure)    ? Verdict::inconclusive
+                            : !sure                           ? Verdict::inconclusive
                             : ratio.below(1 / limits_.slower) ? Verdict::better
                                                               : Verdict::passed;
     add(what, "x 1", text_of(ratio), verdict);

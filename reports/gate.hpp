@@ -17,9 +17,9 @@ struct GateLimits {
   double errors = 0.05;             ///< larger error, relative, beyond the reference's own error bar
   double balance = 1e-6;            ///< heat balance [-] that is never worth a word
   double slower = 1.05;             ///< clearly slower: the whole interval lies above this
-  double unsure = 1.10;             ///< clearly not slower: the whole interval lies below this
-  std::size_t rounds = 6;           ///< timings of fewer rounds are not judged
-  double shortest = 0.005;          ///< s, shorter timings are not judged
+  double unsure = 1.10;     ///< clearly not slower: the interval lies below this, its estimate below `slower`
+  std::size_t rounds = 6;   ///< timings of fewer rounds are not judged
+  double shortest = 0.005;  ///< s, shorter timings are not judged
 };
 
 enum class Verdict { passed, better, not_judged, inconclusive, regressed };
