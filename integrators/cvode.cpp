@@ -204,8 +204,8 @@ std::vector<OptionKey> cvode_keys() {
   std::vector<OptionKey> keys = tolerance_keys("1e-6");
   keys.push_back({.name = "linsol",
                   .type = OptionKey::Type::word,
-                  .words = {"klu", "cholmod", "pcg", "gmres"},
-                  .fallback = "klu",
+                  .words = {"auto", "klu", "cholmod", "pcg", "gmres"},
+                  .fallback = "auto",
                   .meaning = "sparse LU, sparse Cholesky, or Krylov methods behind incomplete Cholesky; auto "
                              "takes the fastest"});
   keys.push_back({.name = "ordering",

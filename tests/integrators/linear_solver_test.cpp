@@ -62,6 +62,8 @@ TEST(LinearSolverChoice, FollowsSizeAndSymmetry) {
 TEST(LinearSolverChoice, IsSaidAndMatchesTheNamedSolver) {
   for (const auto& [spec, named, said] :
        {std::tuple{"cvode:rtol=1e-6", "cvode:rtol=1e-6,linsol=klu,ordering=amd", "linsol=klu,ordering=amd"},
+        std::tuple{"cvode:rtol=1e-6,linsol=auto", "cvode:rtol=1e-6,linsol=klu,ordering=auto",
+                   "linsol=klu,ordering=amd"},
         std::tuple{"trapezoidal:rtol=1e-4", "trapezoidal:rtol=1e-4,solver=klu", "solver=klu"}}) {
     Problem problem(test::random_graph({.nodes = 80, .seed = 4}));
     const auto plan = problem.plan({1.0});
