@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "integrators/detail/incomplete_cholesky.hpp"
+#include "integrators/detail/kept_jacobian.hpp"
 #include "integrators/detail/klu_ordering.hpp"
 #include "integrators/detail/shifted_solver.hpp"
 #include "integrators/integrator.hpp"
@@ -18,8 +19,7 @@ namespace {
 /// KLU on the pattern of the right-hand side: I - gamma J is filled into it in place.
 class KluLinearSolver final : public CvodeLinearSolver {
  public:
-  KluLinearSolver(const std::string& ordering, Rhs& rhs, N_Vector y, SUNContext context)
-      : jacobian_(rhs.pattern().row.size()) {
+  KluLinearSolver(const std::string& ordering, Rhs& rhs, N_Vector y, SUNContext context) : jacobian_(rhs) {
     const auto& pattern = rhs.pattern();
     const auto n = static_cast<sunindextype>(rhs.size());
     matrix_.reset(SUNSparseMatrix(n, n, static_cast<sunindextype>(pattern.row.size()), CSC_MAT, context));
@@ -33,7 +33,7 @@ class KluLinearSolver final : public CvodeLinearSolver {
   }
 
   void attach(void* cvode) override {
-    version_ = 0;
+    jacobian_.forget();
     check_sundials(CVodeSetLinearSolver(cvode, solver_.get(), matrix_.get()), "attaching KLU");
     check_sundials(CVodeSetLinSysFn(cvode, linear_system), "setting the linear system");
   }
@@ -45,22 +45,16 @@ class KluLinearSolver final : public CvodeLinearSolver {
     auto& callback = *static_cast<CvodeCallbackData*>(data);
     auto& self = *static_cast<KluLinearSolver*>(callback.linear_solver);
     Rhs& rhs = *callback.rhs;
-    const bool stands =
-        self.version_ == rhs.values_version() && (rhs.traits().constant_jacobian || jacobian_ok);
-    if (!stands) {
-      rhs.jacobian(t, sundials::entries(y), self.jacobian_);
-      self.version_ = rhs.values_version();
-    }
+    const bool stands = self.jacobian_.stands_at(t, sundials::entries(y), jacobian_ok != SUNFALSE);
     *jacobian_new = stands ? SUNFALSE : SUNTRUE;
     double* values = SUNSparseMatrix_Data(matrix);
-    std::transform(self.jacobian_.begin(), self.jacobian_.end(), values,
+    std::transform(self.jacobian_.values().begin(), self.jacobian_.values().end(), values,
                    [gamma](double j) { return -gamma * j; });
     for (const auto k : rhs.pattern().diagonal) values[k] += 1;
     return 0;
   }
 
-  std::vector<double> jacobian_;
-  std::uint64_t version_ = 0;
+  KeptJacobian jacobian_;
   sundials::Matrix matrix_;
   sundials::LinearSolver solver_;
 };

@@ -6,12 +6,11 @@
 
 namespace superstep {
 
-IncompleteCholesky::IncompleteCholesky(Rhs& rhs) : rhs_(rhs) {
+IncompleteCholesky::IncompleteCholesky(Rhs& rhs) : rhs_(rhs), jacobian_(rhs) {
   if (!rhs.traits().symmetric)
     throw Refused("this solver needs a Jacobian that is symmetric in the capacity inner product; use klu");
   for (const double capacity : rhs.capacities()) root_.push_back(std::sqrt(capacity));
   scaled_.resize(static_cast<Eigen::Index>(rhs.size()));
-  jacobian_.resize(rhs.pattern().row.size());
   build_lower_triangle();
 }
 
@@ -33,16 +32,13 @@ void IncompleteCholesky::build_lower_triangle() {
 }
 
 bool IncompleteCholesky::set(double c, double t, std::span<const double> y) {
-  if (version_ == rhs_.values_version() && c == shift_) return true;
-  if (version_ != rhs_.values_version() || !rhs_.traits().constant_jacobian) {
-    rhs_.jacobian(t, y, jacobian_);
-    version_ = rhs_.values_version();
-  }
+  const bool stands = jacobian_.stands_at(t, y);
+  if (stands && c == shift_) return true;
   shift_ = c;
   double* values = lower_.valuePtr();
   for (std::size_t k = 0; k < position_.size(); ++k) {
     const auto [entry, row, column] = position_[k];
-    values[k] = (row == column ? 1.0 : 0.0) - c * jacobian_[entry] * root_[row] / root_[column];
+    values[k] = (row == column ? 1.0 : 0.0) - c * jacobian_.values()[entry] * root_[row] / root_[column];
   }
   factor_.factorize(lower_);
   ++factorizations_;

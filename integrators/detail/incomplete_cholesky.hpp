@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "rhs/rhs.hpp"
+#include "integrators/detail/kept_jacobian.hpp"
 
 namespace superstep {
 
@@ -31,12 +31,13 @@ class IncompleteCholesky {
   void build_lower_triangle();
 
   Rhs& rhs_;
-  std::vector<double> root_, jacobian_;  ///< sqrt of the capacities; values on the pattern
+  KeptJacobian jacobian_;
+  std::vector<double> root_;  ///< sqrt of the capacities
   std::vector<Entry> position_;
   Eigen::VectorXd scaled_;
   Eigen::SparseMatrix<double, Eigen::ColMajor, int> lower_;
   Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
-  std::uint64_t version_ = 0, factorizations_ = 0;
+  std::uint64_t factorizations_ = 0;
   double shift_ = std::numeric_limits<double>::quiet_NaN();
 };
 

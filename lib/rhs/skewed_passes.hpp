@@ -72,7 +72,8 @@ void skewed_passes(const SkewedBlocks& blocks, std::size_t passes, const Work& w
     take_part(0, 1);
     return;
   }
-#pragma omp parallel num_threads(static_cast <int>(blocks.threads))
+  const auto wanted = static_cast<int>(blocks.threads);
+#pragma omp parallel num_threads(wanted)
   take_part(static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(omp_get_num_threads()));
 }
 
