@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
 #include <numbers>
 
 #include "scene/selection.hpp"
@@ -20,6 +18,19 @@ struct Amount {
   std::int32_t table = -1;  ///< index into the graph's tables
 };
 
+/// Two equal neighbours are a step; a third value at the same instant would have no meaning.
+void require_ascending(const TomlValue& times, const std::vector<double>& time) {
+  for (std::size_t k = 1; k < time.size(); ++k) {
+    if (time[k] < time[k - 1])
+      times.reject(fmt::format("the times must be ascending, and {} follows {}", time[k], time[k - 1]));
+    if (k > 1 && time[k] == time[k - 2])
+      times.reject(fmt::format(
+          "{} stands three times; the times must be ascending, and a step is two equal times with the value "
+          "before it and the value after it",
+          time[k]));
+  }
+}
+
 Amount read_amount(const TomlValue& amount, Graph& graph) {
   if (!amount.is_table()) return {amount.number(), -1};
   TomlTable table = amount.table();
@@ -29,8 +40,7 @@ Amount read_amount(const TomlValue& amount, Graph& graph) {
   table.finish();
   if (out.time.empty()) times.reject("a table needs at least one instant");
   if (out.value.size() != out.time.size()) values.reject("there must be as many values as times");
-  if (std::adjacent_find(out.time.begin(), out.time.end(), std::greater_equal<>()) != out.time.end())
-    times.reject("the times must be ascending");
+  require_ascending(times, out.time);
   graph.tables.push_back(std::move(out));
   return {graph.tables.back().at(0), static_cast<std::int32_t>(graph.tables.size()) - 1};
 }

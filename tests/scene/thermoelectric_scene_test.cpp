@@ -113,6 +113,15 @@ TEST_F(ThermoelectricCase, ConvectionAndRadiationTakeTheSphereSurface) {
   EXPECT_EQ(std::count_if(scene.skips.begin(), scene.skips.end(), radiation_skipped), 0);
 }
 
+TEST_F(ThermoelectricCase, TwoEqualTimesAreAStep) {
+  const Scene scene =
+      load(with("", heat + "fixed = [ { where = { ids = [0] }, value = { times = [0.0, 0.5, 0.5], "
+                           "values = [1.0, 1.0, 3.0] } } ]\n"));
+  EXPECT_EQ(scene.values_on_nodes(0, 0.499, scene.initial)[0], 1);
+  EXPECT_EQ(scene.values_on_nodes(0, 0.5, scene.initial)[0], 3);
+  EXPECT_EQ(scene.fields[0].graph.tables[0].before(0.5), 1);
+}
+
 TEST_F(ThermoelectricCase, SaysWhatItSkips) {
   const Scene scene = load(with("", heat + "fixed = [ { where = { ids = [0] }, value = 1.0 } ]\n"));
   std::vector<std::string> whats;
@@ -158,8 +167,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "ascending"},
         Refusal{
             "UnsortedTimes", "",
-            heat + "source = [ { where = \"all\", value = { times = [1.0, 1.0], values = [1.0, 2.0] } } ]\n",
-            "ascending"},
+            heat + "source = [ { where = \"all\", value = { times = [1.0, 0.5], values = [1.0, 2.0] } } ]\n",
+            "ascending, and 0.5 follows 1"},
+        Refusal{"ThreeEqualTimes", "",
+                heat + "source = [ { where = \"all\", value = { times = [1.0, 1.0, 1.0], values = [1.0, 2.0, "
+                       "3.0] } } ]\n",
+                "1 stands three times"},
         Refusal{"NegativeConductivityInTable", "",
                 "specific_heat = 500.0\nconductivity = { law = \"table\", temperatures = [0.0, 1.0], values "
                 "= [1.0, "
