@@ -1,5 +1,7 @@
 #include "rhs/conductivity_law.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,14 @@
 namespace superstep {
 namespace {
 
-constexpr double floor_of_line = 0.01;  // of kappa_0
+constexpr double clamped_line = 0.01;  // of kappa_0
+// Of kappa_0. Small enough to follow a line down to its zero, large enough that means and their slopes
+// neither overflow nor underflow.
+constexpr double floor_of_line = 1e-12;
+
+double floor_of(const ConductivityLaw& law) noexcept {
+  return law.outside == ConductivityLaw::Outside::clamp ? clamped_line : floor_of_line;
+}
 
 double logistic(double x) noexcept {
   return 1 / (1 + std::exp(-x));
@@ -26,7 +35,7 @@ double ConductivityLaw::at(double temperature) const noexcept {
     case Kind::constant:
       return value;
     case Kind::linear:
-      return value * std::max(floor_of_line, 1 + coefficient * (temperature - reference));
+      return value * std::max(floor_of(*this), 1 + coefficient * (temperature - reference));
     case Kind::table: {
       const auto k = interval(temperatures, temperature);
       if (k == 0) return values.front();
@@ -44,7 +53,7 @@ double ConductivityLaw::slope(double temperature) const noexcept {
     case Kind::constant:
       return 0;
     case Kind::linear:
-      return 1 + coefficient * (temperature - reference) > floor_of_line ? value * coefficient : 0;
+      return 1 + coefficient * (temperature - reference) > floor_of(*this) ? value * coefficient : 0;
     case Kind::table: {
       const auto k = interval(temperatures, temperature);
       if (k == 0 || k == temperatures.size()) return 0;
@@ -56,6 +65,37 @@ double ConductivityLaw::slope(double temperature) const noexcept {
     }
   }
   return 0;
+}
+
+bool ConductivityLaw::covers(double temperature) const noexcept {
+  switch (kind) {
+    case Kind::linear:
+      return !(1 + coefficient * (temperature - reference) <= 0);
+    case Kind::table:
+      return !(temperature < temperatures.front() || temperature > temperatures.back());
+    case Kind::constant:
+    case Kind::sigmoid:
+      break;
+  }
+  return true;
+}
+
+bool ConductivityLaw::limited() const noexcept {
+  return outside == Outside::error && ((kind == Kind::linear && coefficient != 0) || kind == Kind::table);
+}
+
+std::string ConductivityLaw::explain(const std::string& what, double temperature) const {
+  const std::string begin =
+      fmt::format("{}{}{} {:.8g} K", place, place.empty() ? "" : ": ", what, temperature);
+  if (kind == Kind::table)
+    return fmt::format(
+        "{}, and the table of the conductivity goes from {:.8g} K to {:.8g} K; extend it, or add outside = "
+        "\"clamp\" to hold its end values beyond",
+        begin, temperatures.front(), temperatures.back());
+  return fmt::format(
+      "{}, and the line of the conductivity is > 0 only {} {:.8g} K, where it crosses zero; give a law that "
+      "holds there (table, sigmoid), or add outside = \"clamp\" to hold the line at 1 % of its value",
+      begin, coefficient < 0 ? "below" : "above", reference - 1 / coefficient);
 }
 
 double ConductivityLaw::largest() const noexcept {

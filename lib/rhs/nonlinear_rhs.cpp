@@ -1,5 +1,7 @@
 #include "rhs/nonlinear_rhs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -130,6 +132,7 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
       settle_tolerance_(input.settle_tolerance),
       temperature_offset_(potential_in_state(input) ? input.potential->network.size() : 0),
       slot_of_node_(number_slots(input.temperature.network)),
+      id_(input.temperature.id),
       radiates_(!input.temperature.network.radiation.empty()) {
   if (potential_in_state(input)) capacity_ = input.potential->network.capacity;
   const auto& thermal_capacity = input.temperature.network.capacity;
@@ -375,6 +378,19 @@ double NonlinearRhs::find_mean_joule_rate() {
   double heat = 0;
   for (std::size_t i = 0; i < rate.size(); ++i) heat += thermal_->network().capacity[i] * rate[i];
   return thermal_->total_capacity() > 0 ? heat / thermal_->total_capacity() : 0;
+}
+
+std::optional<std::string> NonlinearRhs::law_violation(std::span<const double> y) {
+  const auto temperature = temperature_of(y);  // its rows are the first slots
+  for (const auto* conductivity : {pointer_to(thermal_conductivity_), pointer_to(electric_conductivity_)}) {
+    const auto slot = conductivity ? conductivity->first_outside(temperature) : std::nullopt;
+    if (!slot) continue;
+    const auto node = conductivity->node_of_slot(*slot);
+    const auto what =
+        fmt::format("the temperature of node {} has reached", id_.empty() ? node : id_[at(node)]);
+    return conductivity->law_of_slot(*slot).explain(what, temperature[*slot]);
+  }
+  return std::nullopt;
 }
 
 OneWayCoupling* NonlinearRhs::one_way() {

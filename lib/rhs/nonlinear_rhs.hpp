@@ -21,6 +21,7 @@ struct FieldInput {
   double pair_step = 0;           ///< s, from particle contributions only
   std::vector<KnownValue> known;  ///< values of all nodes that are not rows, by graph position
   ConductionLaws laws;            ///< of_material is never empty
+  std::vector<std::int64_t> id;   ///< the user's ids by graph position, for messages; may be empty
   double low = 0, high = 0;       ///< range of initial and fixed values
   [[nodiscard]] bool varies() const noexcept;
 };
@@ -46,6 +47,7 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
   [[nodiscard]] double source_rate(std::size_t field) const override;
   [[nodiscard]] double mean_source_rate(std::size_t field) override;
+  [[nodiscard]] std::optional<std::string> law_violation(std::span<const double> y) override;
   [[nodiscard]] OneWayCoupling* one_way() override;
   bool settle(double t, std::span<const double> y, double accuracy) override;
   void restart(double t) override;
@@ -91,6 +93,7 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   std::vector<double> capacity_;  ///< [state]
   double potential_span_ = 0;
   std::vector<std::int32_t> slot_of_node_;
+  std::vector<std::int64_t> id_;                       ///< [nodes] or empty
   std::shared_ptr<FieldOperator> thermal_, electric_;  ///< electric: null unless it is part of the state
   std::optional<NodeValues> temperature_slots_, potential_slots_;
   std::optional<SlotConductivity> thermal_conductivity_, electric_conductivity_;

@@ -116,6 +116,12 @@ class Rhs {
   /// Rate at which sources change the mean of a field [K/s or V/s]: a measure of its span to come.
   [[nodiscard]] virtual double mean_source_rate(std::size_t field) = 0;
 
+  /// Says which law a state goes beyond, at which node, and the way out; nothing where all hold. A trial
+  /// state beyond is to be tried again smaller, an accepted one ends the run. Cheap where no law is limited.
+  [[nodiscard]] virtual std::optional<std::string> law_violation(std::span<const double> /*y*/) {
+    return std::nullopt;
+  }
+
   /// The two halves of a scene in which one field drives the other through sources alone; null elsewhere.
   [[nodiscard]] virtual OneWayCoupling* one_way() { return nullptr; }
 

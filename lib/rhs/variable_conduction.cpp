@@ -20,17 +20,25 @@ SlotConductivity::SlotConductivity(ConductionLaws laws, std::vector<std::int32_t
       value_(node_of_slot_.size()),
       slope_(node_of_slot_.size()) {
   // Before the first update: the reference values, for which the conductances were computed.
-  for (std::size_t s = 0; s < value_.size(); ++s) value_[s] = laws_.of_node(node_of_slot_[s]).value;
+  for (std::size_t s = 0; s < value_.size(); ++s) value_[s] = law_of_slot(s).value;
+  limited_ = std::any_of(laws_.of_material.begin(), laws_.of_material.end(),
+                         [](const auto& law) { return law.limited(); });
 }
 
 void SlotConductivity::update(std::span<const double> temperature) {
-  for (std::size_t s = 0; s < value_.size(); ++s)
-    value_[s] = laws_.of_node(node_of_slot_[s]).at(temperature[s]);
+  for (std::size_t s = 0; s < value_.size(); ++s) value_[s] = law_of_slot(s).at(temperature[s]);
 }
 
 void SlotConductivity::update_slopes(std::span<const double> temperature) {
-  for (std::size_t s = 0; s < slope_.size(); ++s)
-    slope_[s] = laws_.of_node(node_of_slot_[s]).slope(temperature[s]);
+  for (std::size_t s = 0; s < slope_.size(); ++s) slope_[s] = law_of_slot(s).slope(temperature[s]);
+}
+
+std::optional<std::size_t> SlotConductivity::first_outside(
+    std::span<const double> temperature) const noexcept {
+  if (!limited_) return std::nullopt;
+  for (std::size_t s = 0; s < temperature.size(); ++s)
+    if (const auto& law = law_of_slot(s); !law.covers(temperature[s]) && law.limited()) return s;
+  return std::nullopt;
 }
 
 double SlotConductivity::largest_rise() const noexcept {

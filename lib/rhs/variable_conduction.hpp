@@ -1,6 +1,7 @@
 #pragma once
 /// Conductances that follow the temperatures of their ends: K_ij = G_ij mean(kappa(T_i), kappa(T_j)).
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,13 @@ class SlotConductivity {
   [[nodiscard]] std::span<const double> value() const noexcept { return value_; }
   [[nodiscard]] std::span<const double> slope() const noexcept { return slope_; }
   [[nodiscard]] ConductanceMean mean() const noexcept { return laws_.mean; }
+  /// First of the slots 0, 1, ... whose temperature is an error of its law; nothing where all laws hold.
+  /// Looks at none where no law is limited.
+  [[nodiscard]] std::optional<std::size_t> first_outside(std::span<const double> temperature) const noexcept;
+  [[nodiscard]] std::int32_t node_of_slot(std::size_t slot) const noexcept { return node_of_slot_[slot]; }
+  [[nodiscard]] const ConductivityLaw& law_of_slot(std::size_t slot) const noexcept {
+    return laws_.of_node(node_of_slot_[slot]);
+  }
   /// How far above its reference value any conductivity can rise [-], >= 1; infinity for a line.
   [[nodiscard]] double largest_rise() const noexcept;
 
@@ -39,6 +47,7 @@ class SlotConductivity {
   ConductionLaws laws_;
   std::vector<std::int32_t> node_of_slot_;
   std::vector<double> value_, slope_;
+  bool limited_ = false;  ///< any law
 };
 
 /// Keeps the conductances of a field operator up to date.

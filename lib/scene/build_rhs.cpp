@@ -81,6 +81,7 @@ FieldInput take_field(FieldScene& field) {
   input.pair_step = min_pair_step(field.graph, field.roles, field.bare);
   input.known = known_values(field);
   input.laws = field.laws;
+  input.id = field.graph.id;
   input.low = field.low;
   input.high = field.high;
   return input;
