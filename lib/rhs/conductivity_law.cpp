@@ -67,12 +67,14 @@ double ConductivityLaw::slope(double temperature) const noexcept {
   return 0;
 }
 
-bool ConductivityLaw::covers(double temperature) const noexcept {
+bool ConductivityLaw::covers(double temperature, double margin) const noexcept {
   switch (kind) {
     case Kind::linear:
       return !(1 + coefficient * (temperature - reference) <= 0);
-    case Kind::table:
-      return !(temperature < temperatures.front() || temperature > temperatures.back());
+    case Kind::table: {
+      const double first = temperatures.front(), last = temperatures.back(), more = margin * (last - first);
+      return !(temperature < first - more || temperature > last + more);
+    }
     case Kind::constant:
     case Kind::sigmoid:
       break;

@@ -33,7 +33,8 @@ struct ConductivityLaw {
   [[nodiscard]] double at(double temperature) const noexcept;
   [[nodiscard]] double slope(double temperature) const noexcept;  ///< dkappa/dT
   /// False beyond the range, whatever `outside` says; true for NaN, which is no matter of the law.
-  [[nodiscard]] bool covers(double temperature) const noexcept;
+  ///   margin  share of a table's width that counts as inside on either side of it
+  [[nodiscard]] bool covers(double temperature, double margin = 0) const noexcept;
   /// Whether there are temperatures at which this law is an error.
   [[nodiscard]] bool limited() const noexcept;
   /// Says that a temperature lies beyond the range, where that ends, and the way out.

@@ -12,6 +12,8 @@ std::size_t at(std::int64_t k) noexcept {
   return static_cast<std::size_t>(k);
 }
 
+constexpr double margin_of_states = 0.01;
+
 }  // namespace
 
 SlotConductivity::SlotConductivity(ConductionLaws laws, std::vector<std::int32_t> node_of_slot)
@@ -37,7 +39,8 @@ std::optional<std::size_t> SlotConductivity::first_outside(
     std::span<const double> temperature) const noexcept {
   if (!limited_) return std::nullopt;
   for (std::size_t s = 0; s < temperature.size(); ++s)
-    if (const auto& law = law_of_slot(s); !law.covers(temperature[s]) && law.limited()) return s;
+    if (const auto& law = law_of_slot(s); law.limited() && !law.covers(temperature[s], margin_of_states))
+      return s;
   return std::nullopt;
 }
 

@@ -33,7 +33,9 @@ class SlotConductivity {
   [[nodiscard]] std::span<const double> value() const noexcept { return value_; }
   [[nodiscard]] std::span<const double> slope() const noexcept { return slope_; }
   [[nodiscard]] ConductanceMean mean() const noexcept { return laws_.mean; }
-  /// First of the slots 0, 1, ... whose temperature is an error of its law; nothing where all laws hold.
+  /// First of the slots 0, 1, ... whose temperature is an error of its law; nothing where all laws hold. A
+  /// computed temperature may leave a table by 1 % of its width: where start or fixed values are at its end,
+  /// every method's error does that, and the end value holds there.
   /// Looks at none where no law is limited.
   [[nodiscard]] std::optional<std::size_t> first_outside(std::span<const double> temperature) const noexcept;
   [[nodiscard]] std::int32_t node_of_slot(std::size_t slot) const noexcept { return node_of_slot_[slot]; }

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/toml.hpp"
 #include "scene/build_rhs.hpp"
+#include "scene/law_ranges.hpp"
 #include "scene/materials.hpp"
 #include "scene/probe.hpp"
 #include "scene/read_field.hpp"
@@ -149,6 +150,7 @@ Scene load_scene(const std::string& path) {
   else
     coupling = read_particles(root, scene);
   root.finish();
+  require_laws_to_hold(scene);
   build_rhs(path, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);
   scene.warnings = range_warnings(scene);

@@ -25,6 +25,15 @@ double number(TomlTable& table, const char* key, const char* why) {
   return table.require(key, why).number();
 }
 
+ConductivityLaw::Outside read_outside(TomlTable& table) {
+  const auto outside = table.find("outside");
+  if (!outside || outside->string() == "error") return ConductivityLaw::Outside::error;
+  if (outside->string() != "clamp")
+    outside->reject(
+        "it must be \"error\" or \"clamp\" (hold a table's end values, or a line at 1 % of its value)");
+  return ConductivityLaw::Outside::clamp;
+}
+
 }  // namespace
 
 ConductivityLaw read_conductivity(const TomlValue& conductivity) {
@@ -35,6 +44,8 @@ ConductivityLaw read_conductivity(const TomlValue& conductivity) {
     return law;
   }
   TomlTable table = conductivity.table();
+  law.place = conductivity.where();
+  law.outside = read_outside(table);
   const auto kind = table.require("law", "it must be linear, table or sigmoid");
   const std::string name = kind.string();
   if (name == "table") {

@@ -10,6 +10,7 @@ namespace superstep {
 ///   { law = "linear", value, coefficient [1/K], reference [K] }
 ///   { law = "table", temperatures = [...], values = [...] }
 ///   { law = "sigmoid", value, amplitude [-], steepness [1/K], reference [K] }
+/// each with `outside` = "error" (default) or "clamp".
 /// Throws InputError.
 [[nodiscard]] ConductivityLaw read_conductivity(const TomlValue& conductivity);
 

@@ -117,7 +117,7 @@ TEST(LawViolation, NamesTheNodeWhoseLawEnds) {
     hot[temperature.offset + row] = 801;
     const auto said = rhs->law_violation(hot);
     auto cold = y;
-    cold[temperature.offset + row] = 299;  // below the table of the other field's law
+    cold[temperature.offset + row] = 290;  // below the table of the other field's law
     const auto said_cold = rhs->law_violation(cold);
     ASSERT_EQ(said.has_value(), said_cold.has_value());
     if (!said) continue;
@@ -125,6 +125,17 @@ TEST(LawViolation, NamesTheNodeWhoseLawEnds) {
     EXPECT_NE(said->find("below 800 K"), std::string::npos) << *said;
     EXPECT_NE(said_cold->find("from 300 K to 800 K"), std::string::npos) << *said_cold;
   }
+}
+
+TEST(LawViolation, LeavesRoomForTheErrorOfAMethodAtTheEndsOfATable) {
+  const auto rhs = scene(sampled(), {.value = 1}).build();
+  const auto complains = [&](double temperature) {
+    return rhs->law_violation(std::vector<double>(rhs->size(), temperature)).has_value();
+  };
+  EXPECT_FALSE(complains(296));  // the table is 500 K wide
+  EXPECT_FALSE(complains(804));
+  EXPECT_TRUE(complains(294));
+  EXPECT_TRUE(complains(806));
 }
 
 TEST(LawViolation, CountsOnlyNodesOfTheMaterial) {
