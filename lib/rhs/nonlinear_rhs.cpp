@@ -308,8 +308,11 @@ double NonlinearRhs::radius_beyond_blocks(double /*t*/, std::span<const double> 
   return radiates_ ? thermal_->radiation_slope(temperature_of(y)) : 0;
 }
 
-/// Row sums of |J| after scaling the temperatures by theta bound its spectrum for every theta; theta balances
-/// the two fields.
+/// Row sums of |J| after scaling the temperatures by theta bound its spectrum for every theta. With the
+/// largest sums within the fields (a, c) and across (b, e), the theta with a + theta b = c + e/theta balances
+/// the two fields. Its two products are all that is needed: up = theta b and down = e/theta are the roots of
+/// up - down = c - a and up down = b e, each in the form without cancellation; theta itself overflows where a
+/// cross term vanishes.
 double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
   auto &own = own_sum_, &cross = cross_sum_;
   own.assign(size(), 0.0);
@@ -328,12 +331,12 @@ double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
     e = std::max(e, cross[i]);
   }
   if (b == 0 || e == 0) return std::max(a, c);  // triangular: the cross terms do not reach the spectrum
-  // a + theta b = c + e/theta
-  const double difference = c - a,
-               theta = (difference + std::sqrt(difference * difference + 4 * b * e)) / (2 * b);
+  const double mean = std::sqrt(b) * std::sqrt(e), half = 0.5 * (c - a);  // sqrt(b e) could underflow
+  const double larger = std::abs(half) + std::hypot(half, mean), smaller = mean * (mean / larger);
+  const double up = half > 0 ? larger : smaller, down = half > 0 ? smaller : larger;
   double bound = 0;
   for (std::size_t i = 0; i < size(); ++i)
-    bound = std::max(bound, own[i] + (i < temperature_offset_ ? theta * cross[i] : cross[i] / theta));
+    bound = std::max(bound, own[i] + (i < temperature_offset_ ? up * (cross[i] / b) : down * (cross[i] / e)));
   return bound;
 }
 

@@ -254,6 +254,23 @@ TEST(Convection, OfOneNodeHasItsClosedForm) {
   }
 }
 
+TEST(ForwardEuler, StepsFarBelowASigmoidAsIfThereWereNone) {
+  // 700 widths below the rise the law moves nothing, and the cross terms of the Jacobian are some 1e-300.
+  const ConductivityLaw rise{
+      .kind = ConductivityLaw::Kind::sigmoid, .value = 3, .reference = 700, .amplitude = 2, .steepness = 1};
+  const ConductivityLaw constant{.value = 3};
+  const Thermoelectric far{
+      .nodes = 40, .thermal = {{.value = 2e-3}, {.value = 1e-3}}, .electric = {rise, rise}};
+  Thermoelectric without = far;
+  without.electric = {constant, constant};
+  const auto expected = run(*without.build(), "forward-euler", {1.0}),
+             result = run(*far.build(), "forward-euler", {1.0});
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  // The two bounds of the spectrum are different ones, each within a factor 2 of the truth.
+  EXPECT_LE(result.statistics.steps, 2 * expected.statistics.steps);
+  EXPECT_LT(test::max_difference(result.states[0], expected.states[0]), 0.1);  // Euler's own error
+}
+
 TEST(LinearConductivity, OfASteadyChainHasItsClosedForm) {
   // One free node between 0 and 1 with kappa = 1 + b T: K(T1, T0)(T1 - 0) = K(T1, T2)(1 - T1), arithmetic
   // mean: (1 + b T1/2) T1 = (1 + b (1 + T1)/2)(1 - T1), the quadratic b T1^2 + 2 T1 - (1 + b/2) = 0.

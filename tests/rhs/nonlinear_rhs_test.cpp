@@ -3,6 +3,7 @@
 
 #include "rhs/nonlinear_rhs.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -108,6 +109,57 @@ TEST_P(EveryVariant, BoundHoldsTheSpectrum) {
   const double bound = rhs->spectral_bound(0.37, y);
   EXPECT_GE(bound, radius * (1 - 1e-12));
   EXPECT_LE(bound, 4 * radius);  // of use: within the factor that row sums lose
+}
+
+/// Largest row sums of |J| within the fields and across them.
+struct RowSums {
+  double own = 0, to_temperature = 0, to_potential = 0;
+};
+
+RowSums row_sums(const Eigen::MatrixXd& jacobian, Eigen::Index potentials) {
+  const auto temperatures = jacobian.rows() - potentials;
+  const auto largest = [](const auto& block) { return block.cwiseAbs().rowwise().sum().maxCoeff(); };
+  return {std::max(largest(jacobian.topLeftCorner(potentials, potentials)),
+                   largest(jacobian.bottomRightCorner(temperatures, temperatures))),
+          largest(jacobian.topRightCorner(potentials, temperatures)),
+          largest(jacobian.bottomLeftCorner(temperatures, potentials))};
+}
+
+TEST(ScaledGershgorin, IsTightForCrossTermsOfAnySize) {
+  // A sigmoid 1 to 2000 widths above the temperatures, in either field's favour (the sign of c - a), and
+  // potentials from 1e-150 to 1e100 V: cross terms from 1e-320 (denormal) to 1e100.
+  for (const double reference : {1.0, 30.0, 300.0, 700.0, 740.0, 2000.0})
+    for (const double thermal : {1e-3, 1e3})
+      for (const double volts : {1e-150, 1.0, 1e100}) {
+        const ConductivityLaw rise{.kind = ConductivityLaw::Kind::sigmoid,
+                                   .value = 1,
+                                   .reference = reference,
+                                   .amplitude = 2,
+                                   .steepness = 1};
+        const auto rhs = Thermoelectric{
+            .thermal = {{.value = thermal}, {.value = thermal}},
+            .electric = {
+                rise, rise}}.build();
+        auto y = some_state(rhs->size());
+        const auto potentials = rhs->fields()[0].count;
+        for (std::size_t i = 0; i < potentials; ++i) y[i] *= volts;
+        const auto jacobian = dense_jacobian(*rhs, 0, y);
+        const auto sums = row_sums(jacobian, static_cast<Eigen::Index>(potentials));
+        const double bound = rhs->spectral_bound(0, y);
+        const std::string where = fmt::format("{} {} {}", reference, thermal, volts);
+        EXPECT_GE(bound, sums.own * (1 - 1e-12)) << where;
+        // At its best scaling the bound exceeds the larger block by the geometric mean of the cross terms at
+        // most. Terms of either sign that meet in one place are summed by magnitude: some 1e-4 of the blocks
+        // where the law moves, nothing far below it, and a factor 2 is allowed across them.
+        const double meeting = reference < 700 ? 1e-2 : 1e-12;
+        EXPECT_LE(bound, sums.own * (1 + meeting) +
+                             2 * std::sqrt(sums.to_temperature) * std::sqrt(sums.to_potential))
+            << where;
+        if (volts == 1) {
+          const double radius = jacobian.eigenvalues().cwiseAbs().maxCoeff();
+          EXPECT_GE(bound, radius * (1 - 1e-12)) << where;
+        }
+      }
 }
 
 TEST_P(EveryVariant, InflowIsTheSumOfCapacityTimesRate) {
