@@ -14,6 +14,7 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "integrators/staggered/sintering_case.hpp"
+#include "reports/published.hpp"
 #include "reports/results_csv.hpp"
 #include "reports/results_json.hpp"
 #include "reports/results_table.hpp"
@@ -82,6 +83,7 @@ int execute(const BenchCommand& command) {
   BenchReport report = empty_report(command);
   for (const auto& [scene, cpu_setup] : cases) {
     if (stop_flag()) break;
+    options.sampled = published_measure(scene.source);
     report.cases.push_back(bench_case(scene, cpu_setup, options, progress));
     const BenchCase& done = report.cases.back();
     if (!quiet) warn(done.warnings);

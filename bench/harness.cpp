@@ -6,9 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "bench/joule_cost.hpp"
 #include "bench/machine.hpp"
 #include "bench/observations.hpp"
 #include "bench/run_one.hpp"
+#include "bench/sampled_errors.hpp"
 #include "bench/scene_facts.hpp"
 #include "bench/verification.hpp"
 #include "bench/yardstick.hpp"
@@ -25,12 +27,19 @@ struct Contender {
   bool verified = false;
   double time_per_sweep = 0;  ///< s
   std::vector<double> cpu_total, cpu_stepping, wall_stepping, yardstick;
+  std::vector<double> samples;  ///< at the instants of a published table [K or V]
 };
 
 class CaseBench {
  public:
   CaseBench(const Scene& scene, double cpu_setup, const HarnessOptions& options, Progress& progress)
-      : scene_(scene), cpu_setup_(cpu_setup), options_(options), progress_(progress), probes_(scene) {
+      : scene_(scene),
+        cpu_setup_(cpu_setup),
+        options_(options),
+        progress_(progress),
+        probes_(scene),
+        sampled_(options.sampled, probes_),
+        joule_cost_(scene) {
     for (const auto& spec : contenders(scene, options.integrators)) contenders_.push_back(enter(spec));
   }
 
@@ -54,6 +63,7 @@ class CaseBench {
   void warm_up(Contender& contender);
   void time_round(std::size_t round);
   void time_one(Contender& contender);
+  void compare_as_published();
   void compare_with_baseline();
   void finish(BenchCase& out);
   void fail(Contender& contender, const Outcome& outcome) const;
@@ -65,12 +75,15 @@ class CaseBench {
   const HarnessOptions& options_;
   Progress& progress_;
   ProbeSet probes_;
+  SampledErrors sampled_;
+  JouleCost joule_cost_;
   Yardstick yardstick_;
   std::optional<Reference> reference_;
   std::vector<Contender> contenders_;
   CaseObservations observations_;
   double timing_began_ = 0;  // wall clock [s]
   std::size_t timed_runs_ = 0;
+  std::vector<double> cpu_joule_;  // one a round [s]
 };
 
 Contender CaseBench::enter(const std::string& spec) const {
@@ -103,6 +116,7 @@ BenchCase CaseBench::describe() const {
   out.unit = scene_.rhs->fields()[main_field(*scene_.rhs)].unit;
   out.warnings = scene_.warnings;
   out.skips = skipped_work(scene_);
+  out.sampled = options_.sampled;
   return out;
 }
 
@@ -144,6 +158,7 @@ void CaseBench::verify_one(Contender& contender) {
   const auto curves =
       probe_curves(scene_, probes_, contender.row.spec, result.history, reference_ ? &*reference_ : nullptr);
   observations_.curves.insert(observations_.curves.end(), curves.begin(), curves.end());
+  contender.samples = sampled_.samples(result.history);
   const auto fields = scene_.rhs->fields();
   contender.row.errors = result.errors[main_field(*scene_.rhs)];
   for (std::size_t f = 0; fields.size() > 1 && f < fields.size(); ++f)
@@ -191,6 +206,8 @@ void CaseBench::time_round(std::size_t round) {
     time_one(contender);
     progress_.end();
   }
+  if (stopped()) return;
+  if (const auto cost = joule_cost_.sample()) cpu_joule_.push_back(*cost);
 }
 
 void CaseBench::time_one(Contender& contender) {
@@ -225,6 +242,23 @@ void CaseBench::compare_with_baseline() {
   }
 }
 
+// The baseline may have been verified after others: samples are compared when all are there.
+void CaseBench::compare_as_published() {
+  if (!options_.sampled) return;
+  const bool as_written = options_.sampled->as_written;
+  std::vector<double> subtracted;
+  if (!as_written && reference_) subtracted = sampled_.samples(reference_->history);
+  for (const auto& contender : contenders_)
+    if (as_written && contender.row.spec == scene_.bench.baseline) subtracted = contender.samples;
+  const bool main = scene_.rhs->fields()[main_field(*scene_.rhs)].name == options_.sampled->field;
+  for (auto& contender : contenders_) {
+    if (as_written && contender.row.spec == scene_.bench.baseline) continue;  // nothing but zeros
+    BenchRow& row = contender.row;
+    if (FieldErrors* errors = main ? &row.errors : row.potential ? &*row.potential : nullptr)
+      sampled_.measure(contender.samples, subtracted, *errors);
+  }
+}
+
 void CaseBench::finish(BenchCase& out) {
   for (auto& contender : contenders_) {
     BenchRow& row = contender.row;
@@ -240,6 +274,8 @@ void CaseBench::finish(BenchCase& out) {
     row.yardstick_samples = contender.yardstick;
   }
   compare_with_baseline();
+  compare_as_published();
+  if (!cpu_joule_.empty()) out.cpu_joule = summarize(cpu_joule_).median;
   for (auto& contender : contenders_)
     if (contender.verified) out.rows.push_back(std::move(contender.row));
 }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct HarnessOptions {
   bool use_cache = true;
   int repetitions = 3;                      ///< timed runs of each method, >= 1
   int threads = 1;                          ///< recorded beside the timings
+  std::optional<SampledMeasure> sampled;    ///< rule of a published table; empty = nothing is published
   const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C: what has been verified by then is reported
 };
 

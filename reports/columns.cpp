@@ -32,10 +32,15 @@ constexpr ErrorMeasure measures[] = {
     {"decay_rate", &FieldErrors::decay_rate},
     {"decay_r2", &FieldErrors::decay_r2},
     {"reference_error", &FieldErrors::reference_error},
+    {"error_as_published", &FieldErrors::published_mean},
+    {"decay_rate_as_published", &FieldErrors::published_rate},
+    {"decay_r2_as_published", &FieldErrors::published_r2},
 };
-// `reference` stands between the last two columns.
-constexpr auto error_columns = std::span(measures).first<std::size(measures) - 1>();
-constexpr ErrorMeasure reference_error_column = std::span(measures).back();
+// `reference` stands before the reference's own error; what came later follows at the very end.
+constexpr std::size_t later_columns = 3;
+constexpr auto error_columns = std::span(measures).first<std::size(measures) - later_columns - 1>();
+constexpr ErrorMeasure reference_error_column = measures[error_columns.size()];
+constexpr auto published_columns = std::span(measures).last<later_columns>();
 
 Column main_column(ErrorMeasure column) {
   return {column.name, [column](const BenchRow& row) { return number(row.errors.*column.value); }};
@@ -95,9 +100,14 @@ std::vector<Column> bench_columns(std::span<const BenchCase> cases) {
   for (const auto& column : error_columns) columns.push_back(main_column(column));
   columns.push_back({"reference", [](const BenchRow& row) { return row.reference; }});
   columns.push_back(main_column(reference_error_column));
-  if (!any_twins(cases)) return columns;
-  for (const auto& column : error_columns) columns.push_back(potential_column(column));
-  columns.push_back(potential_column(reference_error_column));
+  const bool twins = any_twins(cases);
+  if (twins) {
+    for (const auto& column : error_columns) columns.push_back(potential_column(column));
+    columns.push_back(potential_column(reference_error_column));
+  }
+  for (const auto& column : published_columns) columns.push_back(main_column(column));
+  for (const auto& column : published_columns)
+    if (twins) columns.push_back(potential_column(column));
   return columns;
 }
 

@@ -24,10 +24,10 @@ struct ErrorMeasure {
   const char* name;
   Number FieldErrors::*value;
 };
-/// All of them in the order of the contract, the reference's own error last.
+/// All of them in the order of the contract.
 [[nodiscard]] std::span<const ErrorMeasure> error_measures() noexcept;
 
-/// Columns in their order; the `_potential` twins follow at the end when any row has two fields.
+/// Columns in their order; `_potential` twins follow a group of error columns when any row has two fields.
 [[nodiscard]] std::vector<Column> bench_columns(std::span<const BenchCase> cases);
 
 }  // namespace superstep

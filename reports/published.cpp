@@ -14,15 +14,15 @@ namespace {
 struct KnownCase {
   const char* source;
   const char* error_file;
-  const char* error_table;
+  int error_table;
   const char* performance_file;
   const char* performance_table;
   const char* field;
 };
 constexpr KnownCase known_cases[] = {
-    {"Rojek & Nisar 2026, section 9.1", "table1_temperature_error.csv", "table 1",
-     "table2_thermal_performance.csv", "table 2", "temperature"},
-    {"Rojek & Nisar 2026, section 9.2", "table3_potential_error.csv", "table 3",
+    {"Rojek & Nisar 2026, section 9.1", "table1_temperature_error.csv", 1, "table2_thermal_performance.csv",
+     "table 2", "temperature"},
+    {"Rojek & Nisar 2026, section 9.2", "table3_potential_error.csv", 3,
      "table4_thermoelectric_performance.csv", "table 4", "potential"},
 };
 
@@ -54,12 +54,28 @@ PublishedRun& run_of(std::vector<PublishedRun>& runs, double nu, double n) {
   return run;
 }
 
+void read_measure(const KnownCase& known, PublishedCase& out) {
+  for (const auto& row : rows_of(embedded_file("error_measures.csv"))) {
+    if (row.at(0) != known.error_table) continue;
+    out.measure = {.field = known.field,
+                   .every = row.at(1),
+                   .from = row.at(2),
+                   .to = row.at(3),
+                   .as_written = row.at(4) != 0};
+    out.rate_times_ln10 = row.at(5) != 0;
+    return;
+  }
+  throw std::logic_error("how a published table took its errors is missing");
+}
+
 PublishedCase read_case(const KnownCase& known) {
   PublishedCase out{.source = known.source,
-                    .error_table = known.error_table,
+                    .error_table = "table " + std::to_string(known.error_table),
                     .performance_table = known.performance_table,
                     .field = known.field,
+                    .measure = {},
                     .runs = {}};
+  read_measure(known, out);
   for (const auto& row : rows_of(embedded_file(known.performance_file))) {
     PublishedRun& run = run_of(out.runs, row.at(0), row.at(1));
     run.substeps = row.at(2);
@@ -83,6 +99,11 @@ std::optional<PublishedCase> published_case(const std::string& source) {
   for (const auto& known : known_cases)
     if (source == known.source) return read_case(known);
   return std::nullopt;
+}
+
+std::optional<SampledMeasure> published_measure(const std::string& source) {
+  const auto known = published_case(source);
+  return known ? std::optional(known->measure) : std::nullopt;
 }
 
 }  // namespace superstep

@@ -21,10 +21,15 @@ struct PublishedCase {
   std::string source;                          ///< as the case file states it
   std::string error_table, performance_table;  ///< "table 1", "table 2"
   std::string field;                           ///< that the errors are of
+  SampledMeasure measure;                      ///< how the errors were taken, as far as it can be told
+  bool rate_times_ln10 = false;                ///< printed decay rates are too large by ln 10
   std::vector<PublishedRun> runs;
 };
 
 /// What is published about a case, by the `source` of its case file; empty for other sources.
 [[nodiscard]] std::optional<PublishedCase> published_case(const std::string& source);
+
+/// How the errors of that case were taken; empty for other sources.
+[[nodiscard]] std::optional<SampledMeasure> published_measure(const std::string& source);
 
 }  // namespace superstep

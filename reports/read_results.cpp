@@ -144,6 +144,13 @@ BenchCase case_of(const Object& json) {
     one.reference =
         ReferenceFacts{facts.text("spec"), facts.flag("from_cache"), facts.number_or_zero("cpu_s")};
   }
+  if (const Json* sampled = json.find("errors_as_published")) {
+    const Object rule(*sampled);
+    one.sampled =
+        SampledMeasure{rule.text("field"), rule.number_or_zero("every"), rule.number_or_zero("from"),
+                       rule.number_or_zero("to"), rule.flag("as_written")};
+  }
+  one.cpu_joule = json.number("cpu_joule_s");
   if (const Json* rows = json.find("rows"))
     for (const auto& row : *rows) one.rows.push_back(row_of(Object(row)));
   one.warnings = list<std::string>(json, "warnings");

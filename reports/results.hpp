@@ -24,6 +24,17 @@ struct FieldErrors {
   Number decay_rate;       ///< k of |difference| = Z exp(-k t) at the probe [1/s]
   Number decay_r2;         ///< of that fit [-]
   Number reference_error;  ///< error bar of the reference, rms
+  /// Mean, k [1/s] and R2 at the probe by the rule of a published table: see SampledMeasure.
+  Number published_mean, published_rate, published_r2;
+};
+
+/// How a published table took its errors at the probe: at the instants from, from + every, ..., to.
+struct SampledMeasure {
+  std::string field;                   ///< "temperature" or "potential"
+  double every = 0, from = 0, to = 0;  ///< s
+  /// true: both codes write the state of their first step end at or after each instant, and the baseline's is
+  /// subtracted as if both were of one moment; false: the error against the reference at the instant itself.
+  bool as_written = false;
 };
 
 /// Median and extremes of repeated timings [s].
@@ -72,6 +83,9 @@ struct BenchCase {
   std::vector<double> output_times;  ///< s
   std::string unit;                  ///< of the errors: "K" or "V"
   std::optional<ReferenceFacts> reference;
+  std::optional<SampledMeasure>
+      sampled;       ///< rule of the `published_` errors; empty where nothing is published
+  Number cpu_joule;  ///< s, what a substep costs more when it evaluates the Joule heat
   std::vector<BenchRow> rows;
   std::vector<std::string> warnings;
   std::vector<SkippedWork> skips;

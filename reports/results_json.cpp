@@ -57,6 +57,19 @@ Json reference_json(const std::optional<ReferenceFacts>& reference) {
       {"spec", reference->spec}, {"from_cache", reference->from_cache}, {"cpu_s", reference->cpu_seconds}};
 }
 
+Json sampled_json(const std::optional<SampledMeasure>& sampled) {
+  if (!sampled) return nullptr;
+  return {{"field", sampled->field},
+          {"every", sampled->every},
+          {"from", sampled->from},
+          {"to", sampled->to},
+          {"as_written", sampled->as_written}};
+}
+
+Json number_json(const Number& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
 Json case_json(const BenchCase& one) {
   Json out = {{"case", one.name},
               {"title", one.title},
@@ -71,6 +84,8 @@ Json case_json(const BenchCase& one) {
               {"cpu_setup_s", one.cpu_setup},
               {"reference", reference_json(one.reference)},
               {"reference_from_cache", one.reference && one.reference->from_cache},
+              {"errors_as_published", sampled_json(one.sampled)},
+              {"cpu_joule_s", number_json(one.cpu_joule)},
               {"skips", skips_json(one.skips)},
               {"warnings", one.warnings},
               {"rows", Json::array()}};

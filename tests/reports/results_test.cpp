@@ -40,6 +40,7 @@ BenchRow measured_row() {
   row.errors.max = std::numeric_limits<double>::quiet_NaN();
   row.errors.overshoot = 0;
   row.errors.reference_error = 2e-9;
+  row.errors.published_mean = 2.5e-3;
   row.reference = "cvode:rtol=1e-9";
   return row;
 }
@@ -81,7 +82,8 @@ TEST(ResultsCsv, TheHeaderIsTheContract) {
             "factorizations,"
             "solves,max_stages,peak_memory_mb,error_probe_mean,error_rms,error_max,error_relative_rms,"
             "overshoot,balance,"
-            "decay_rate,decay_r2,reference,reference_error");
+            "decay_rate,decay_r2,reference,reference_error,error_as_published,decay_rate_as_published,"
+            "decay_r2_as_published");
 }
 
 TEST(ResultsCsv, NumbersArePlainAndWhatIsNotMeasuredIsEmpty) {
@@ -89,7 +91,7 @@ TEST(ResultsCsv, NumbersArePlainAndWhatIsNotMeasuredIsEmpty) {
   EXPECT_EQ(
       line(results_csv({&one, 1}), 1),
       "rod,sts,\"n=5,nu=0.05\",ok,,20,19,0.001,3,1,2,1,1.25,2,4,,7,0,35,0,0,0,5,12.5,1e-05,1e-10,,,0,,,,"
-      "cvode:rtol=1e-9,2e-09");
+      "cvode:rtol=1e-9,2e-09,0.0025,,");
 }
 
 TEST(ResultsCsv, TextIsQuoted) {
@@ -97,7 +99,7 @@ TEST(ResultsCsv, TextIsQuoted) {
   EXPECT_EQ(line(results_csv({&one, 1}), 2),
             "rod,forward-euler,,unstable,\"at t = 3 s the \"\"temperature\"\" grows, take a smaller "
             "step\",0,0,0.001,0,1,"
-            ",,,,,,,,,,,,,,,,,,,,,,,");
+            ",,,,,,,,,,,,,,,,,,,,,,,,,,");
   EXPECT_EQ(csv_cell("two\nlines"), "\"two\nlines\"");
 }
 
@@ -105,13 +107,15 @@ TEST(ResultsCsv, TwoFieldsAddTwinsAtTheEnd) {
   BenchCase one = rod_case();
   one.rows[0].potential = FieldErrors{};
   one.rows[0].potential->rms = 0.125;
+  one.rows[0].potential->published_rate = 0.5;
   const std::string csv = results_csv({&one, 1});
   EXPECT_TRUE(line(csv, 0).ends_with(
       "decay_r2,reference,reference_error,error_probe_mean_potential,error_rms_potential,error_max_potential,"
       "error_relative_rms_potential,overshoot_potential,balance_potential,decay_rate_potential,decay_r2_"
       "potential,"
-      "reference_error_potential"));
-  EXPECT_TRUE(line(csv, 1).ends_with(",2e-09,,0.125,,,,,,,"));
+      "reference_error_potential,error_as_published,decay_rate_as_published,decay_r2_as_published,"
+      "error_as_published_potential,decay_rate_as_published_potential,decay_r2_as_published_potential"));
+  EXPECT_TRUE(line(csv, 1).ends_with(",2e-09,,0.125,,,,,,,,0.0025,,,,0.5,"));
 }
 
 TEST(ResultsJson, HoldsTheColumnsTheSpreadAndNulls) {
@@ -129,6 +133,9 @@ TEST(ResultsJson, HoldsTheColumnsTheSpreadAndNulls) {
   EXPECT_EQ(row.at("spread").at("cpu_stepping_s").at("max"), 1.3);
   EXPECT_TRUE(row.at("error_max").is_null()) << "NaN is not a JSON number";
   EXPECT_TRUE(row.at("decay_rate").is_null());
+  EXPECT_EQ(row.at("error_as_published"), 2.5e-3);
+  EXPECT_TRUE(one.at("errors_as_published").is_null()) << "nothing is published about a rod";
+  EXPECT_TRUE(one.at("cpu_joule_s").is_null());
   EXPECT_TRUE(one.at("rows").at(1).at("spread").at("cpu_stepping_s").is_null());
 }
 

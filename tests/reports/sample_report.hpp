@@ -45,7 +45,10 @@ inline BenchRow sample_row(const std::string& case_name, const std::string& inte
                 .balance = 1e-12,
                 .decay_rate = 900.0,
                 .decay_r2 = 0.9,
-                .reference_error = 1e-9};
+                .reference_error = 1e-9,
+                .published_mean = 2e-3,
+                .published_rate = 850.0,
+                .published_r2 = 0.8};
   row.reference = "cvode:rtol=1e-9";
   return row;
 }
@@ -89,6 +92,9 @@ inline BenchReport sample_report() {
   one.output_times = {1e-4, 1e-3};
   one.unit = "K";
   one.reference = ReferenceFacts{"cvode:rtol=1e-9", false, 1.5};
+  one.sampled =
+      SampledMeasure{.field = "temperature", .every = 1e-5, .from = 2e-5, .to = 1e-3, .as_written = true};
+  one.cpu_joule = 1.5e-5;
   one.rows = {sample_row(one.name, "forward-euler", "", 2), sample_row(one.name, "sts", "n=10,nu=1e-3", 0.3),
               sample_row(one.name, "sts", "n=20,nu=1e-4", 0.2), sample_row(one.name, hostile_name, "", 1)};
   BenchRow failed;
