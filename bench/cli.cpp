@@ -38,6 +38,7 @@ Command make_run(const Arguments& values) {
                      .integrators = values.integrators,
                      .tolerance = std::nullopt,
                      .out = values.out,
+                     .verify = values.verify,
                      .vtk = values.vtk,
                      .checkpoint = std::nullopt,
                      .restart = values.restart};

@@ -86,6 +86,9 @@ void add_run(CLI::App& app, Arguments& values) {
                   "error allowed relative to the field's span, instead of the SPEC's rtol")
       ->type_name("X");
   command.add_option("--out", values.out, "folder for final.csv, probes.csv, run.json")->type_name("DIR");
+  command.add_flag(
+      "--verify", values.verify,
+      "run again by a method of another family, ten times tighter, and print the error delivered");
   command.add_flag("--vtk", values.vtk, "write particles and contacts at every output time for ParaView");
   command
       .add_option("--checkpoint", values.checkpoint,

@@ -21,7 +21,8 @@ struct Arguments {
   std::vector<std::string> cases, integrators;
   std::string tolerance, out, reference, against, checkpoint, restart, baseline;
   std::optional<std::string> repetitions;
-  bool no_cache = false, work_precision = false, quick = false, report = false, vtk = false, markdown = false;
+  bool no_cache = false, work_precision = false, quick = false, report = false, vtk = false, verify = false,
+       markdown = false;
 
   std::string container = "cylinder", diameter, width, depth, height, count, relative_density, sizes,
               seed = "1", length_unit = "m", file;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "bench/commands.hpp"
 #include "bench/interrupt.hpp"
 #include "bench/loaded_case.hpp"
 #include "bench/output_folder.hpp"
+#include "bench/run_check.hpp"
 #include "bench/run_files.hpp"
 #include "bench/run_one.hpp"
 #include "bench/spec_settings.hpp"
@@ -42,29 +44,55 @@ std::vector<std::string> folders_of(const std::string& out, const std::vector<st
 
 struct FinishedRun {
   RunResult result;
+  std::optional<RunCheck> check;
+  std::vector<std::vector<double>> states;  ///< at output times, where they are to be verified
   std::vector<double> final_state;
 };
 
 FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::string& spec, Progress& progress,
-                      VtkSeries* vtk) {
+                      VtkSeries* vtk, bool verified) {
   FinishedRun run;
   RunRequest request{.probes = &probes, .stop = &stop_flag(), .progress = &progress};
   request.observe = [&](std::size_t output, double t, std::span<const double> state) {
     if (vtk) vtk->add(t, state);
+    if (verified) run.states.emplace_back(state.begin(), state.end());
     if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
   };
   progress.begin(spec, scene.t_end);
   run.result = run_one(scene, spec, request);
   progress.end();
+  if (verified && run.result.outcome.ok()) {
+    run.check = check_run(scene, spec, run.result, run.states, stop_flag(), progress);
+    run.result.outcome = judge_check(scene, *run.check);
+  }
   return run;
 }
 
-std::string summary(const std::string& spec, const RunResult& run, const std::string& folder) {
+/// What is known of the error: what `--verify` found, else the bound of a method that has one.
+std::string error_text(const Scene& scene, const RunResult& run, const std::optional<RunCheck>& check) {
+  if (check && !check->outcome.ok())
+    return fmt::format(" (not verified: {}: {})", check->spec, check->outcome.reason);
+  std::string out;
+  const auto fields = scene.rhs->fields();
+  for (std::size_t f = 0; check && f < check->distance.size(); ++f) {
+    out += fmt::format("{}{} within {:.2g} {} rms of {}", f > 0 ? ", " : " (", fields[f].name,
+                       check->distance[f], fields[f].unit, check->spec);
+    if (check->delivered[f]) out += fmt::format(", {:.2g} of the tolerance", *check->delivered[f]);
+  }
+  if (check) return out + ")";
+  if (run.statistics.error_bound > 0)
+    return fmt::format(" (error below {:.1e} of the span)", run.statistics.error_bound);
+  return " (not verified)";
+}
+
+std::string summary(const Scene& scene, const std::string& spec, const RunResult& run,
+                    const std::optional<RunCheck>& check, const std::string& folder) {
   if (!run.outcome.ok())
     return fmt::format("{}: {}: {}\n", spec, status_name(run.outcome.status), run.outcome.reason);
   const std::string choice = run.choice.empty() ? "" : fmt::format("  {}\n", run.choice);
-  return fmt::format("{}: ok, {} steps, {} sweeps, {:.3g} s CPU; {}\n{}", spec, run.statistics.steps,
-                     run.sweeps, run.cpu_prepare + run.cpu_stepping, folder, choice);
+  return fmt::format("{}: ok{}, {} steps, {} sweeps, {:.3g} s CPU; {}\n{}", spec,
+                     error_text(scene, run, check), run.statistics.steps, run.sweeps,
+                     run.cpu_pilot + run.cpu_prepare + run.cpu_stepping, folder, choice);
 }
 
 }  // namespace
@@ -91,16 +119,18 @@ int execute(const RunCommand& command) {
     std::optional<VtkSeries> vtk;
     remove_vtk_series(folders[k]);  // old fields beside new ones mislead
     if (command.vtk) vtk.emplace(scene, folders[k]);
-    const FinishedRun run = integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr);
+    const FinishedRun run =
+        integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr, command.verify);
     RunRecord record = record_run(scene, specs[k], run.result);
     record.cpu_setup = cpu_setup;
     record.threads = command.common.threads;
+    if (run.check) add_check(*run.check, record);
     if (vtk) record.files = vtk->finish();
     const std::string json = write_run_files(folders[k], scene, probes, run.result, run.final_state, record);
     if (command.common.json)
       print_data(json);
     else if (!quiet || !run.result.outcome.ok())
-      print_data(summary(specs[k], run.result, folders[k]));
+      print_data(summary(scene, specs[k], run.result, run.check, folders[k]));
     all_ok = all_ok && run.result.outcome.ok();
   }
   if (stop_flag()) return interrupted_exit_code;

@@ -26,6 +26,7 @@ struct RunCommand {
   std::vector<std::string> integrators;  ///< SPECs; empty = auto
   std::optional<double> tolerance;       ///< replaces rtol of every SPEC
   std::string out;                       ///< folder; empty = default_output_folder
+  bool verify = false;                   ///< run again by another method, ten times tighter, and compare
   bool vtk = false;                      ///< write particles and contacts for ParaView
   std::optional<double> checkpoint;      ///< simulated time between checkpoints [s]; moving particles only
   std::string restart;                   ///< checkpoint to go on from; empty = none; moving particles only

@@ -40,7 +40,6 @@ double JouleCost::seconds_halves(std::size_t times) {
 
 std::optional<double> JouleCost::sample() {
   if (!halves_) return std::nullopt;
-  rhs_.restart(0);                // an earlier run may have left the potential as settled
   constexpr double batch = 5e-3;  // s, thousands of times what the clock resolves
   std::size_t times = 1;
   while (seconds_whole(times) < batch) times *= 2;

@@ -3,17 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bench/digest.hpp"
 #include "bench/machine.hpp"
 #include "bench/metrics.hpp"
 #include "bench/reference_cache.hpp"
+#include "bench/reference_pair.hpp"
 #include "bench/run_one.hpp"
-#include "bench/spec_settings.hpp"
 #include "core/error.hpp"
 #include "core/options.hpp"
-#include "rhs/one_way.hpp"
+#include "core/stopwatch.hpp"
+#include "integrators/registry.hpp"
 
 namespace superstep {
 namespace {
@@ -31,10 +34,11 @@ std::string cache_key(const Scene& scene, const std::string& spec) {
 
 bool fits(const CachedReference& cached, const Scene& scene, const ProbeSet& probes) {
   const std::size_t fields = scene.rhs->fields().size(), size = scene.rhs->size();
-  return cached.states.size() == scene.output_times.size() &&
-         std::all_of(cached.states.begin(), cached.states.end(),
-                     [&](const auto& s) { return s.size() == size; }) &&
-         (cached.error_bar.empty() || cached.error_bar.size() == fields) &&
+  const auto whole = [size](const auto& states) {
+    return std::all_of(states.begin(), states.end(), [size](const auto& s) { return s.size() == size; });
+  };
+  return cached.states.size() == scene.output_times.size() && whole(cached.states) && whole(cached.cvode) &&
+         cached.error_bar.size() == fields && cached.spans.size() == fields && cached.scalars.size() == 2 &&
          cached.history.probes() == probes.entries().size() &&
          (probes.entries().empty() || cached.history.size() > 0);
 }
@@ -44,89 +48,155 @@ std::optional<Reference> from_cache(const std::string& file, const Scene& scene,
   if (!cached || !fits(*cached, scene, probes)) return std::nullopt;
   Reference reference;
   reference.states = std::move(cached->states);
+  reference.cvode = std::move(cached->cvode);
   reference.error_bar = std::move(cached->error_bar);
+  reference.spans = std::move(cached->spans);
+  reference.inflow = cached->scalars[0];
+  reference.cpu_pilot = cached->scalars[1];
   reference.history = std::move(cached->history);
   reference.from_cache = true;
   return reference;
 }
 
-RunResult integrate(const Scene& scene, const std::string& spec, RunRequest request, Reference& reference) {
-  request.progress->begin("reference " + spec, scene.t_end);
-  RunResult run = run_one(scene, spec, request);
-  request.progress->end();
-  reference.cpu_seconds += run.cpu_prepare + run.cpu_stepping;
-  return run;
-}
+/// Two families, one after the other, and what their distance says.
+class ReferenceSearch {
+ public:
+  ReferenceSearch(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& wanted,
+                  Progress& progress)
+      : scene_(scene), probes_(probes), wanted_(wanted), progress_(progress), pair_(reference_pair(scene)) {
+    if (wanted.spec.empty() || wanted.spec == pair_.truth) return;
+    pair_ = {wanted.spec, check_of(scene, wanted.spec),
+             parse_spec(wanted.spec).name == "exponential" && scene.rhs->traits().linear};
+  }
 
-// Runs the other method and keeps its largest distance to the reference, field by field.
-Outcome measure_error_bar(const Scene& scene, const std::string& spec, RunRequest request,
-                          Reference& reference) {
-  const auto fields = scene.rhs->fields();
-  std::vector<double> bar(fields.size(), 0.0);
-  request.probes = nullptr;
-  request.observe = [&](std::size_t k, double, std::span<const double> state) {
-    for (std::size_t f = 0; f < fields.size(); ++f)
-      bar[f] = std::max(bar[f], deviation(fields[f], state, reference.states[k]).rms);
-  };
-  Outcome outcome = integrate(scene, spec, request, reference).outcome;
-  if (outcome.ok()) reference.error_bar = std::move(bar);
-  return outcome;
-}
-
-// What the reference is compared with: the exponential where it is exact, else the same method 10 times
-// looser.
-std::optional<std::string> cross_check(const Scene& scene, const std::string& spec) {
-  if (exactly_solvable(*scene.rhs) && parse_spec(spec).name != "exponential") return "exponential:rtol=1e-14";
-  return loosened(spec);
-}
-
-ReferenceResult compute(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& wanted,
-                        Progress& progress) {
-  ReferenceResult result;
-  Reference reference;
-  RunRequest request{.probes = &probes, .stop = wanted.stop, .progress = &progress};
-  request.observe = [&](std::size_t, double, std::span<const double> state) {
-    reference.states.emplace_back(state.begin(), state.end());
-  };
-  RunResult run = integrate(scene, wanted.spec, request, reference);
-  result.outcome = run.outcome;
-  if (!run.outcome.ok()) return result;
-  reference.history = std::move(run.history);
-  if (const auto check = cross_check(scene, wanted.spec)) {
-    const Outcome outcome = measure_error_bar(scene, *check, request, reference);
-    if (outcome.status == Status::interrupted) {
-      result.outcome = outcome;
+  ReferenceResult run() {
+    ReferenceResult result;
+    find_spans_of_scene();
+    reference_.spec = pair_.truth;
+    Run truth = integrate(pair_.truth);
+    result.outcome = truth.outcome;
+    if (!truth.outcome.ok()) return result;
+    Run check = integrate(pair_.check);
+    if (check.outcome.status == Status::interrupted) {
+      result.outcome = check.outcome;
       return result;
     }
-    if (!outcome.ok())
+    reference_.check = pair_.check;
+    if (check.outcome.ok()) {
+      set_error_bar(truth, check, result.warnings);
+    } else {
       result.warnings.push_back(
-          fmt::format("the reference has no error bar: {}: {}", *check, outcome.reason));
+          fmt::format("the reference is not checked: {}: {}", pair_.check, check.outcome.reason));
+      reference_.error_bar = truth.bound;
+      for (double& bar : reference_.error_bar)
+        if (!pair_.certified) bar = std::numeric_limits<double>::infinity();
+    }
+    // CVODE knows what the probes were between its steps.
+    const bool by_check = pair_.certified && check.outcome.ok();
+    reference_.history = std::move(by_check ? check.history : truth.history);
+    if (by_check) reference_.cvode = std::move(check.states);
+    reference_.states = std::move(truth.states);
+    reference_.inflow = truth.inflow;
+    result.reference = std::move(reference_);
+    return result;
   }
-  result.reference = std::move(reference);
-  return result;
-}
+
+ private:
+  struct Run {
+    Outcome outcome;
+    std::vector<std::vector<double>> states;
+    std::vector<double> bound;  ///< [fields]
+    ProbeHistory history;
+    double inflow = 0;
+  };
+
+  void find_spans_of_scene() {
+    const double begin = process_cpu_seconds();
+    progress_.begin("span of the fields", scene_.t_end);
+    const Spans found = scene_spans(scene_, wanted_.stop);
+    progress_.end();
+    reference_.spans = found.spans;
+    reference_.spans_how = found.how;
+    if (found.pilot) reference_.cpu_pilot = process_cpu_seconds() - begin;
+  }
+
+  Run integrate(const std::string& spec) {
+    Run run;
+    RunRequest request{.track_inflow = true,
+                       .spans = reference_.spans,
+                       .probes = &probes_,
+                       .stop = wanted_.stop,
+                       .progress = &progress_};
+    request.observe = [&](std::size_t, double, std::span<const double> state) {
+      run.states.emplace_back(state.begin(), state.end());
+    };
+    progress_.begin("reference " + spec, scene_.t_end);
+    RunResult result = run_one(scene_, spec, request);
+    progress_.end();
+    reference_.cpu_seconds += result.cpu_prepare + result.cpu_stepping;
+    run.outcome = result.outcome;
+    run.history = std::move(result.history);
+    run.inflow = result.statistics.inflow;
+    for (std::size_t f = 0; f < reference_.spans.size(); ++f) {
+      const FieldScene& field = scene_field(scene_, scene_.rhs->fields()[f].name);
+      const double magnitude = std::max(std::abs(field.low), std::abs(field.high)) + reference_.spans[f];
+      run.bound.push_back(result.statistics.error_bound * reference_.spans[f] +
+                          roundings * std::numeric_limits<double>::epsilon() * magnitude);
+    }
+    return run;
+  }
+
+  void set_error_bar(const Run& truth, const Run& check, std::vector<std::string>& warnings) {
+    constexpr double reserve = 1.5;  // both may err to the same side
+    const auto fields = scene_.rhs->fields();
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      double distance = 0;
+      for (std::size_t k = 0; k < truth.states.size(); ++k)
+        distance = std::max(distance, deviation(fields[f], check.states[k], truth.states[k]).rms);
+      const double tolerance = make_method(pair_.check)->rtol() * reference_.spans[f];
+      constexpr double proportional = 10;  // times its tolerance, which is what any method may miss by
+      if (pair_.certified && distance <= proportional * tolerance + truth.bound[f]) {
+        reference_.error_bar.push_back(truth.bound[f]);
+        continue;
+      }
+      if (pair_.certified)
+        warnings.push_back(
+            fmt::format("{} and {} differ by {:.2g} {} in the {}, more than they should: that is "
+                        "how well the reference is known",
+                        pair_.truth, pair_.check, distance, fields[f].unit, fields[f].name));
+      reference_.error_bar.push_back(reserve * distance + truth.bound[f]);
+    }
+  }
+
+  static constexpr double roundings = 10;
+
+  const Scene& scene_;
+  const ProbeSet& probes_;
+  const ReferenceRequest& wanted_;
+  Progress& progress_;
+  ReferencePair pair_;
+  Reference reference_;
+};
 
 }  // namespace
 
-std::string default_reference(const Scene& scene) {
-  // A factorization of a cube of 93 000 nodes takes more than ten thousand sweeps.
-  constexpr std::size_t most_for_klu = 50'000;  // unknowns
-  if (scene.rhs->size() <= most_for_klu) return "cvode:rtol=1e-9,linsol=klu";
-  return exactly_solvable(*scene.rhs) ? "exponential:rtol=1e-14" : "cvode:rtol=1e-9";
-}
-
 ReferenceResult obtain_reference(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& request,
                                  Progress& progress) {
-  const std::string file = request.use_cache ? cache_file(cache_key(scene, request.spec)) : std::string{};
+  const std::string spec = request.spec.empty() ? reference_pair(scene).truth : request.spec;
+  const std::string file = request.use_cache ? cache_file(cache_key(scene, spec)) : std::string{};
   ReferenceResult result;
   if (!file.empty()) result.reference = from_cache(file, scene, probes);
-  if (!result.reference) result = compute(scene, probes, request, progress);
+  if (!result.reference) result = ReferenceSearch(scene, probes, request, progress).run();
   if (!result.reference) return result;
-  result.reference->spec = request.spec;
+  if (result.reference->from_cache) result.reference->spec = spec;
   if (result.reference->from_cache || file.empty()) return result;
   try {
-    write_cached_reference(
-        file, {result.reference->states, result.reference->error_bar, result.reference->history});
+    write_cached_reference(file, {.states = result.reference->states,
+                                  .cvode = result.reference->cvode,
+                                  .error_bar = result.reference->error_bar,
+                                  .spans = result.reference->spans,
+                                  .scalars = {result.reference->inflow, result.reference->cpu_pilot},
+                                  .history = result.reference->history});
   } catch (const OutputError& error) {
     result.warnings.push_back(fmt::format("the reference is not cached: {}", error.what()));
   }

@@ -14,19 +14,24 @@
 namespace superstep {
 
 struct ReferenceRequest {
-  std::string spec;
+  std::string spec;  ///< empty = as the scene needs
   bool use_cache = true;
   const std::atomic<bool>* stop = nullptr;
 };
 
 struct Reference {
-  std::string spec;
+  std::string spec, check;                  ///< SPECs of the truth and of the other family that checked it
   std::vector<std::vector<double>> states;  ///< [output times][rhs->size()]
-  /// [fields] rms difference, worst over the output times, to the exponential where the scene is linear with
-  /// constant coefficients (then it is the reference's own error), else to a run at a tolerance 10 times
-  /// looser (a cautious bar); empty when there is neither.
+  /// [fields] rms, worst over the output times: the truth's own bound where it has one and the check agrees
+  /// with it, else the largest distance of the two with a reserve. Never below rounding.
   std::vector<double> error_bar;
+  std::vector<double> spans;  ///< [fields] of the scene
+  std::string spans_how;
+  double cpu_pilot = 0;  ///< s, of the runs that found the spans; as measured when they ran
+  /// [output times][rhs->size()] what CVODE found, where it is not the truth itself.
+  std::vector<std::vector<double>> cvode;
   ProbeHistory history;
+  double inflow = 0;  ///< J or C that entered, sources exactly and fluxes by quadrature along the truth
   bool from_cache = false;
   double cpu_seconds = 0;  ///< of its integrations; 0 from the cache
 };
@@ -37,10 +42,6 @@ struct ReferenceResult {
   Outcome outcome;
   std::vector<std::string> warnings;
 };
-
-/// CVODE with KLU; on networks whose factors would be out of proportion the exponential where it is exact,
-/// and CVODE with a lighter solver elsewhere.
-[[nodiscard]] std::string default_reference(const Scene& scene);
 
 /// Takes the reference from the cache, or integrates it and puts it there. A cache that cannot be written is
 /// a warning.

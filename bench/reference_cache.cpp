@@ -1,6 +1,7 @@
 /// Layout (machine byte order; the cache does not travel):
 ///   magic[8] | checksum of the rest [32 hexadecimal digits] | vectors, each a 64-bit length and its doubles:
-///   count of states, states..., error bar, probes, times of the history, orders, coefficients
+///   count of states, states..., count of CVODE's states, states..., error bar, spans, scalars, probes, times
+///   of the history, orders, coefficients
 
 #include "bench/reference_cache.hpp"
 
@@ -114,7 +115,11 @@ std::optional<CachedReference> read_cached_reference(const std::string& file) {
   CachedReference reference;
   const std::size_t states = source.count();
   for (std::size_t k = 0; source.good && k < states; ++k) reference.states.push_back(source.vector());
+  const std::size_t by_cvode = source.count();
+  for (std::size_t k = 0; source.good && k < by_cvode; ++k) reference.cvode.push_back(source.vector());
   reference.error_bar = source.vector();
+  reference.spans = source.vector();
+  reference.scalars = source.vector();
   auto history = take_history(source);
   if (!source.good || !history || !source.rest.empty()) return std::nullopt;
   reference.history = std::move(*history);
@@ -125,7 +130,11 @@ void write_cached_reference(const std::string& file, const CachedReference& refe
   std::string content;
   put(content, static_cast<double>(reference.states.size()));
   for (const auto& state : reference.states) put(content, state);
+  put(content, static_cast<double>(reference.cvode.size()));
+  for (const auto& state : reference.cvode) put(content, state);
   put(content, reference.error_bar);
+  put(content, reference.spans);
+  put(content, reference.scalars);
   const auto history = reference.history.data();
   put(content, static_cast<double>(reference.history.probes()));
   put(content, history.time);

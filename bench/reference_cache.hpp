@@ -12,7 +12,9 @@ namespace superstep {
 /// What a cached reference holds.
 struct CachedReference {
   std::vector<std::vector<double>> states;  ///< one per output time
-  std::vector<double> error_bar;            ///< one per field, or empty
+  std::vector<std::vector<double>> cvode;   ///< the same of CVODE, or empty
+  std::vector<double> error_bar, spans;     ///< one per field
+  std::vector<double> scalars;              ///< inflow, CPU time of the pilot runs [s]
   ProbeHistory history;
 };
 

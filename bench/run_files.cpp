@@ -117,6 +117,11 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .factorizations = run.statistics.factorizations,
           .solves = run.statistics.solves,
           .potential_solves = run.potential_solves,
+          .verified_by = {},
+          .delivered = std::nullopt,
+          .error_bound = run.statistics.error_bound,
+          .spans = run.spans,
+          .cpu_pilot = run.cpu_pilot,
           .settled_at = run.settled_at,
           .electrodes = steady_facts(scene),
           .max_stages = run.statistics.max_stages,
@@ -126,7 +131,7 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .peak_memory_mb = peak_memory_megabytes(),
           .files = {},
           .warnings = scene.warnings,
-          .skips = skipped_work(scene),
+          .skips = skipped_work(scene, run),
           .machine = machine_facts(),
           .libraries = library_facts()};
 }

@@ -27,15 +27,23 @@ class Timer {
   double wall_begin_ = wall_seconds(), cpu_begin_ = process_cpu_seconds();
 };
 
-Plan plan_of(const Scene& scene, const RunRequest& request, RunResult& result) {
+/// What the scene says about any run over it.
+Plan plan_of(const Scene& scene, const std::atomic<bool>* stop) {
   Plan plan;
   plan.output_times = scene.output_times;
   for (const auto& field : scene.rhs->fields()) {
     const auto& described = scene_field(scene, field.name);
     plan.ranges.push_back({described.low, described.high});
   }
+  plan.settle_tolerance = scene.settle_tolerance;
+  plan.stop = stop;
+  return plan;
+}
+
+Plan plan_of(const Scene& scene, const RunRequest& request, RunResult& result) {
+  Plan plan = plan_of(scene, request.stop);
+  plan.spans = result.spans;
   plan.track_inflow = request.track_inflow;
-  plan.stop = request.stop;
   if (request.progress) plan.reached = request.progress->watched();
   if (request.probes && !request.probes->entries().empty()) {
     plan.probes = request.probes->entries();
@@ -70,6 +78,12 @@ Outcome nothing_to_integrate(const Scene& scene, const RunRequest& request, RunR
 Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& request, RunResult& result) {
   try {
     if (scene.rhs->size() == 0) return nothing_to_integrate(scene, request, result);
+    result.spans = request.spans;
+    if (result.spans.empty() && method.rtol() > 0) {
+      double wall = 0;  // not asked for
+      const Timer timer(result.cpu_pilot, wall);
+      result.spans = scene_spans(scene, request.stop).spans;
+    }
     const Plan plan = plan_of(scene, request, result);
     {
       const Timer timer(result.cpu_prepare, result.wall_prepare);
@@ -103,8 +117,12 @@ RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest&
   result.t_reached = scene.rhs->size() == 0 ? scene.t_end : method->time();
   if (scene.rhs->size() > 0) result.choice = method->choice();
   result.potential_solves = after.potential_solves - before.potential_solves;
-  result.settled_at = scene.rhs->settled_at();
+  result.settled_at = method->settled_at();
   return result;
+}
+
+Spans scene_spans(const Scene& scene, const std::atomic<bool>* stop) {
+  return find_spans(*scene.rhs, plan_of(scene, stop), 0, scene.initial);
 }
 
 const FieldScene& scene_field(const Scene& scene, const std::string& name) {

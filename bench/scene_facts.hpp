@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "bench/run_one.hpp"
 #include "reports/results.hpp"
 #include "scene/scene.hpp"
 
@@ -13,7 +14,9 @@ namespace superstep {
 /// only field.
 [[nodiscard]] std::size_t main_field(const Rhs& rhs) noexcept;
 
-/// The scene's skips as the reports know them.
+/// The scene's skips as the reports know them: what no method does.
 [[nodiscard]] std::vector<SkippedWork> skipped_work(const Scene& scene);
+/// With what this run did not do.
+[[nodiscard]] std::vector<SkippedWork> skipped_work(const Scene& scene, const RunResult& run);
 
 }  // namespace superstep

@@ -18,16 +18,12 @@ PerturbationRhs::PerturbationRhs(Rhs& scene)
         "stability: the laboratory measures modes, which only a linear, symmetric scene has; ask for one "
         "field of "
         "it, with constant conductances and no radiation");
-  values_version_ = scene.values_version();
-  pattern_version_ = scene.pattern_version();
+  facts_.pair_step = scene.facts().pair_step;
+  facts_.fields.resize(scene.fields().size());
 }
 
 double PerturbationRhs::spectral_bound(double t, std::span<const double> y) {
   return scene_.spectral_bound(t, y);
-}
-
-double PerturbationRhs::pair_step_without_interface() const {
-  return scene_.pair_step_without_interface();
 }
 
 double PerturbationRhs::inflow(double /*t*/, std::span<const double> y) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "integrators/integrator.hpp"
+#include "integrators/driver.hpp"
 #include "rhs/rhs.hpp"
 
 namespace superstep {
@@ -18,12 +18,9 @@ class PerturbationRhs final : public Rhs {
   explicit PerturbationRhs(Rhs& scene);
 
   [[nodiscard]] double spectral_bound(double t, std::span<const double> y) override;
-  [[nodiscard]] double pair_step_without_interface() const override;
   [[nodiscard]] std::span<const double> capacities() const noexcept override { return scene_.capacities(); }
   [[nodiscard]] double inflow(double t, std::span<const double> y) override;
   [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
-  [[nodiscard]] double source_rate(std::size_t /*field*/) const override { return 0; }
-  [[nodiscard]] double mean_source_rate(std::size_t /*field*/) override { return 0; }
 
  private:
   void do_stage(double t, const Stage& stage, std::span<double> out) override;

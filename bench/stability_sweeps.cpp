@@ -79,7 +79,7 @@ void take_in(SweepPoint& point, LaboratoryNetwork& network) {
   take_worst(point.edge_ratio, bounds.edge / truth);
   take_worst(point.gershgorin_ratio, bounds.gershgorin / truth);
   take_worst(point.bound_ratio, bounds.smallest() / truth);
-  point.alpha = std::min(point.alpha, 2 / truth / network.rhs->pair_step_without_interface());
+  point.alpha = std::min(point.alpha, 2 / truth / network.rhs->facts().pair_step);
   const auto methods = contenders(point, truth);
   if (point.overshoots.empty())
     for (const auto& one : methods) point.overshoots.push_back({one.method, 0});

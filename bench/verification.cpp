@@ -1,30 +1,21 @@
 #include "bench/verification.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bench/metrics.hpp"
 #include "bench/run_one.hpp"
 #include "bench/scene_facts.hpp"
+#include "integrators/registry.hpp"
 
 namespace superstep {
 namespace {
 
 void keep_larger(Number& kept, double value) {
   kept = std::max(kept.value_or(0.0), value);
-}
-
-/// Range of a field [K or V]: initial and fixed values, and what the reference computed.
-FieldRange range_of(const Scene& scene, const FieldView& field, const Reference* reference) {
-  const FieldScene& described = scene_field(scene, field.name);
-  FieldRange range{described.low, described.high};
-  if (!reference) return range;
-  for (const auto& state : reference->states)
-    for (std::size_t k = 0, i = field.offset; k < field.count; ++k, i += field.stride) {
-      range.low = std::min(range.low, state[i]);
-      range.high = std::max(range.high, state[i]);
-    }
-  return range;
 }
 
 /// Collects the errors at output times while the run goes on, so that no state has to be kept.
@@ -38,14 +29,19 @@ class OutputErrors {
   void observe(std::size_t output, double t, std::span<const double> state) {
     const auto fields = scene_.rhs->fields();
     for (std::size_t f = 0; f < fields.size(); ++f) {
-      const double widened = scene_.rhs->source_rate(f) * t;
       const FieldScene& described = scene_field(scene_, fields[f].name);
-      keep_larger(errors_[f].overshoot,
-                  overshoot(fields[f], state, described.low - widened, described.high + widened));
+      const FieldRange range =
+          attainable_range({described.low, described.high}, scene_.rhs->facts().fields[f], t);
+      keep_larger(errors_[f].overshoot, overshoot(fields[f], state, range.low, range.high));
       if (!reference_) continue;
       const Deviation difference = deviation(fields[f], state, reference_->states[output]);
       keep_larger(errors_[f].rms, difference.rms);
       keep_larger(errors_[f].max, difference.max);
+      const double span = reference_->spans[f];
+      if (!(span > 0)) continue;
+      const bool is_cvode = reference_->cvode.empty();  // the reference itself
+      const auto& cvode = is_cvode ? reference_->states[output] : reference_->cvode[output];
+      keep_larger(errors_[f].distance_to_cvode, deviation(fields[f], state, cvode).rms / span);
     }
     last_.assign(state.begin(), state.end());
   }
@@ -59,16 +55,47 @@ class OutputErrors {
   std::vector<double> last_;
 };
 
-// `Statistics::inflow` belongs to the main field: with two fields, what enters the temperature.
-Number balance_of(const Scene& scene, std::size_t f, std::span<const double> last, double entered,
-                  double span) {
+/// What entered along the reference against what the run has stored; of the main field only: with two fields,
+/// heat in the temperature.
+Number balance_of(const Scene& scene, std::size_t f, std::span<const double> last,
+                  const Reference& reference) {
   if (f != main_field(*scene.rhs)) return std::nullopt;
   const FieldView& field = scene.rhs->fields()[f];
   const auto capacities = scene.rhs->capacities();
   double scale = 0;
   for (std::size_t k = 0, i = field.offset; k < field.count; ++k, i += field.stride)
-    scale += capacities[i] * span;
-  return balance(entered, stored(field, capacities, scene.initial, last), scale);
+    scale += capacities[i] * reference.spans[f];
+  return balance(reference.inflow, stored(field, capacities, scene.initial, last), scale);
+}
+
+/// What a tolerance allows a field: not less than a hundred roundings of its values [K or V].
+double allowed_error(const Scene& scene, const FieldView& field, double rtol, double span) {
+  constexpr double roundings = 100;
+  const FieldScene& described = scene_field(scene, field.name);
+  const double magnitude = std::max(std::abs(described.low), std::abs(described.high)) + span;
+  return std::max(rtol * span, roundings * std::numeric_limits<double>::epsilon() * magnitude);
+}
+
+/// An error that nobody should take for a result.
+void judge(const std::vector<FieldErrors>& errors, std::span<const FieldView> fields, Outcome& outcome) {
+  constexpr double part_of_span = 0.1, times_tolerance = 10;
+  for (std::size_t f = 0; f < errors.size(); ++f) {
+    const auto& e = errors[f];
+    const char* unit = fields[f].unit.c_str();
+    const auto& name = fields[f].name;
+    if (!e.span || !(*e.span > 0)) continue;
+    if (e.relative_rms && *e.relative_rms > part_of_span)
+      outcome = {Status::inaccurate,
+                 fmt::format("the {} is off by {:.3g} {} rms, {:.0f} % of its span of {:.3g} {}: "
+                             "take shorter steps or a tighter tolerance",
+                             name, *e.rms, unit, 100 * *e.relative_rms, *e.span, unit)};
+    else if (e.delivered && *e.delivered > times_tolerance)
+      outcome = {Status::inaccurate,
+                 fmt::format("the error of the {} is {:.3g} times what was asked for", name, *e.delivered)};
+    else if (e.overshoot && *e.overshoot > part_of_span * *e.span)
+      outcome = {Status::inaccurate, fmt::format("the {} leaves the range that it can take by {:.3g} {}",
+                                                 name, *e.overshoot, unit)};
+  }
 }
 
 }  // namespace
@@ -107,7 +134,10 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const std::strin
                     const Reference* reference, const std::atomic<bool>* stop, Progress* progress) {
   Verification result;
   OutputErrors outputs(scene, reference, result.errors);
-  RunRequest request{.track_inflow = true, .probes = &probes, .stop = stop, .progress = progress};
+  RunRequest request{.spans = reference ? reference->spans : std::vector<double>{},
+                     .probes = &probes,
+                     .stop = stop,
+                     .progress = progress};
   request.observe = [&](std::size_t k, double t, std::span<const double> state) {
     outputs.observe(k, t, state);
   };
@@ -119,18 +149,22 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const std::strin
     return result;
   }
   const auto fields = scene.rhs->fields();
+  const double rtol = make_method(spec)->rtol();
   for (std::size_t f = 0; f < fields.size(); ++f) {
     FieldErrors& errors = result.errors[f];
-    const double span = range_of(scene, fields[f], reference).span();
-    errors.balance = balance_of(scene, f, outputs.last(), run.statistics.inflow, span);
     if (!reference) continue;
+    const double span = reference->spans[f];
+    errors.span = span;
+    errors.balance = balance_of(scene, f, outputs.last(), *reference);
+    errors.reference_error = reference->error_bar[f];
     if (span > 0) errors.relative_rms = *errors.rms / span;
-    if (!reference->error_bar.empty()) errors.reference_error = reference->error_bar[f];
+    if (span > 0 && rtol > 0) errors.delivered = *errors.rms / allowed_error(scene, fields[f], rtol, span);
     const ProbeColumn* probe = probes.first_in(fields[f].name);
     if (probe)
       measure_probe_errors(run.history, reference->history, static_cast<std::size_t>(probe->slot),
                            scene.t_end, errors);
   }
+  judge(result.errors, fields, result.outcome);
   return result;
 }
 

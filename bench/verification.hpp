@@ -16,12 +16,13 @@ namespace superstep {
 
 struct Verification {
   Outcome outcome;
-  ProbeHistory history;             ///< of the run at the probes
-  std::vector<FieldErrors> errors;  ///< one per field of the right-hand side; empty unless the outcome is ok
+  ProbeHistory history;  ///< of the run at the probes
+  std::vector<FieldErrors>
+      errors;  ///< one per field of the right-hand side; empty unless the run came to its end
 };
 
-/// Runs `spec` once, untimed, tracking what enters and the probes. Without a reference only overshoot and
-/// balance are measured.
+/// Runs `spec` once, untimed, recording the probes. Without a reference only overshoot is measured. A run
+/// whose error is beyond what anybody can call a result is `inaccurate`.
 [[nodiscard]] Verification verify(const Scene& scene, const ProbeSet& probes, const std::string& spec,
                                   const Reference* reference, const std::atomic<bool>* stop,
                                   Progress* progress);

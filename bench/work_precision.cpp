@@ -16,11 +16,6 @@
 
 namespace superstep {
 namespace {
-
-std::string sharpest_reference(const Scene& scene) {
-  return exactly_solvable(*scene.rhs) ? "exponential:rtol=1e-15" : "cvode:rtol=1e-10";
-}
-
 class Sweep {
  public:
   Sweep(const Scene& scene, const WorkPrecisionOptions& options, Progress& progress)
@@ -48,11 +43,9 @@ class Sweep {
   [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
 
   void describe() {
-    const FieldScene& described = scene_field(scene_, field_.name);
     study_.case_name = scene_.name;
     study_.title = scene_.title;
     study_.unit = field_.unit;
-    study_.span = described.high - described.low;
     study_.unknowns = scene_.rhs->size();
     study_.repetitions = options_.repetitions;
     study_.threads = options_.threads;
@@ -61,13 +54,19 @@ class Sweep {
 
   void find_reference() {
     const ProbeSet probes(scene_);
-    const std::string spec = options_.reference.empty() ? sharpest_reference(scene_) : options_.reference;
-    auto result = obtain_reference(scene_, probes, {spec, options_.use_cache, options_.stop}, progress_);
+    auto result =
+        obtain_reference(scene_, probes, {options_.reference, options_.use_cache, options_.stop}, progress_);
     if (!result.reference)
-      throw NumericalError(fmt::format("the reference {} did not succeed: {}", spec, result.outcome.reason));
+      throw NumericalError(fmt::format("the reference did not succeed: {}", result.outcome.reason));
     reference_ = std::move(*result.reference);
+    const std::size_t field = main_field(*scene_.rhs);
     study_.reference = reference_.spec;
-    if (!reference_.error_bar.empty()) study_.reference_error = reference_.error_bar[main_field(*scene_.rhs)];
+    study_.reference_error = reference_.error_bar[field];
+    study_.span = reference_.spans[field];
+    if (!(study_.span > 0))
+      throw NumericalError(
+          fmt::format("nothing moves in the {} of {}: there is no error to measure work against", field_.name,
+                      scene_.file));
   }
 
   void enter(const std::string& spec) {
@@ -84,7 +83,7 @@ class Sweep {
     WorkPrecisionPoint& point = study_.points[k];
     if (!first && !point.ok()) return;
     progress_.begin(fmt::format("{} of {} {}", k + 1, study_.points.size(), point.spec), scene_.t_end);
-    RunRequest request{.stop = options_.stop, .progress = &progress_};
+    RunRequest request{.spans = reference_.spans, .stop = options_.stop, .progress = &progress_};
     std::vector<double> errors;
     if (first)
       request.observe = [&](std::size_t output, double, std::span<const double> state) {
@@ -102,7 +101,7 @@ class Sweep {
     if (!first) return;
     point.error_rms = errors;
     point.worst = *std::max_element(errors.begin(), errors.end());
-    point.worst_relative = study_.span > 0 ? point.worst / study_.span : point.worst;
+    point.worst_relative = point.worst / study_.span;
   }
 
   const Scene& scene_;

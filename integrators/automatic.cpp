@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrators/detail/delegating.hpp"
 #include "integrators/detail/shifted_solver.hpp"
-#include "integrators/detail/spectral_radius.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
 
@@ -31,12 +29,6 @@ double sweeps_of_exponential(double t_rho, double rtol) {
 /// RKC2 on a transient (1029 to 7660 sweeps for rtol 1e-3 to 1e-8, within 7 %).
 double sweeps_of_rkc(double t_rho, double rtol) {
   return 1.17 * std::sqrt(t_rho) * std::pow(rtol, -0.176) + 40;
-}
-
-/// Tolerance that RKC2 has to be given for a global error of `wanted`: second order adds up over many
-/// steps, 1.1e-4 for rtol = 1e-4 and 1.3e-6 for 1e-7 on that record; a third of the fit is taken.
-double rtol_for_rkc(double wanted) {
-  return std::clamp(1.0 / 3.0 * 1e-4 * std::pow(wanted / 1.1e-4, 1.56), 1e-14, 0.5);
 }
 
 /// ROCK4 on a transient (1846, 2694, 4891 sweeps for rtol 1e-4, 1e-6, 1e-8); its global error stays below
@@ -62,31 +54,41 @@ struct Candidate {
   double sweeps = 0;
 };
 
-class Automatic final : public DelegatingIntegrator {
+class Automatic final : public Method {
  public:
   explicit Automatic(const Options& options) : rtol_(options.number("rtol").value_or(default_rtol)) {}
 
-  void prepare(Rhs& rhs, const Plan& plan) override {
-    const std::string spec = choose(rhs, plan);
-    method_ = make_integrator(spec);
-    method_->prepare(rhs, plan);
+  void prepare(Rhs& rhs, const Task& task) override {
+    const std::string spec = choose(rhs, task);
+    method_ = make_method(spec);
+    Task own = task;  // the tolerance of the method chosen
+    for (double& allowed : own.allowed) allowed *= method_->rtol() / rtol_;
+    method_->prepare(rhs, own);
+  }
+  [[nodiscard]] double rtol() const override { return rtol_; }
+  [[nodiscard]] OneStepMethod* one_step() override { return method_->one_step(); }
+  [[nodiscard]] Propagator* propagator() override { return method_->propagator(); }
+  void reset_counts() override {
+    if (method_) method_->reset_counts();
+  }
+  void add_counts(Statistics& statistics) const override {
+    if (method_) method_->add_counts(statistics);
   }
   [[nodiscard]] std::string choice() const override { return choice_; }
 
  private:
-  std::string choose(Rhs& rhs, const Plan& plan) {
+  std::string choose(Rhs& rhs, const Task& task) {
     const std::vector<double> zero(rhs.size(), 0.0);
-    const double t_rho = (plan.output_times.back() - plan.t_begin) * rhs.spectral_bound(plan.t_begin, zero);
+    const double t_rho = (task.t_end - task.t_begin) * rhs.spectral_bound(task.t_begin, zero);
     const bool exact = exactly_solvable(rhs);
-    // Local control leaves a global error of about its tolerance; a third of it is asked for.
-    const double third = std::max(1e-14, rtol_ / 3), rkc_rtol = rtol_for_rkc(rtol_);
+    const double third = std::max(1e-14, rtol_ / 3);
     std::vector<Candidate> candidates;
     if (exact) {
       candidates.push_back(
           {fmt::format("exponential:rtol={:.3g}", rtol_), sweeps_of_exponential(t_rho, rtol_)});
     } else {
-      candidates.push_back({fmt::format("rkc:rtol={:.3g}", rkc_rtol), sweeps_of_rkc(t_rho, rkc_rtol)});
-      candidates.push_back({fmt::format("rock:rtol={:.3g}", rtol_), sweeps_of_rock(t_rho, rtol_)});
+      candidates.push_back({fmt::format("rkc:rtol={:.3g}", third), sweeps_of_rkc(t_rho, third)});
+      candidates.push_back({fmt::format("rock:rtol={:.3g}", third), sweeps_of_rock(t_rho, third)});
     }
     const auto cheaper = [](const Candidate& a, const Candidate& b) { return a.sweeps < b.sweeps; };
     const auto best = std::min_element(candidates.begin(), candidates.end(), cheaper);
@@ -96,13 +98,13 @@ class Automatic final : public DelegatingIntegrator {
     choice_ = fmt::format(
         "{}: t rho = {:.3g}, {} network of {} unknowns: about {:.0f} sweeps explicitly, the work of "
         "{:.0f} implicitly",
-        spec, t_rho, exact ? "exactly solvable" : "nonlinear or driven", rhs.size(), explicit_cost,
-        implicit_cost);
+        spec, t_rho, exact ? "exactly solvable" : "nonlinear", rhs.size(), explicit_cost, implicit_cost);
     return spec;
   }
 
   double rtol_;
   std::string choice_;
+  std::unique_ptr<Method> method_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 // One line per method: its file in this folder defines `IntegratorEntry <name>_entry()`.
 #define SUPERSTEP_INTEGRATORS(method)                                                                    \
   method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(rock) method(trapezoidal) \
-      method(exponential) method(cvode) method(automatic)
+      method(esdirk) method(exponential) method(cvode) method(automatic)
 
 namespace superstep {
 
@@ -30,10 +30,14 @@ const IntegratorEntry& find_integrator(const std::string& name) {
   throw UsageError("unknown integrator '" + name + "'" + suggestion(name, names));
 }
 
-std::unique_ptr<Integrator> make_integrator(const std::string& spec) {
+std::unique_ptr<Method> make_method(const std::string& spec) {
   const Spec parsed = parse_spec(spec);
   const auto& entry = find_integrator(parsed.name);
   return entry.make(Options(parsed, entry.keys));
+}
+
+std::unique_ptr<Integrator> make_integrator(const std::string& spec) {
+  return std::make_unique<Integrator>(make_method(spec));
 }
 
 std::vector<std::string> rtol_ladder(const std::string& spec, int first, int last, int stride) {
@@ -54,12 +58,16 @@ const char* status_name(Status status) noexcept {
   switch (status) {
     case Status::ok:
       return "ok";
+    case Status::inaccurate:
+      return "inaccurate";
     case Status::unstable:
       return "unstable";
     case Status::failed:
       return "failed";
     case Status::refused:
       return "refused";
+    case Status::timeout:
+      return "timeout";
     case Status::interrupted:
       return "interrupted";
   }

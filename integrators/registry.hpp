@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/options.hpp"
-#include "integrators/integrator.hpp"
+#include "integrators/driver.hpp"
 
 namespace superstep {
 
@@ -27,7 +27,7 @@ struct IntegratorEntry {
   /// SPECs of the work-precision sweep, from loose to tight; a point that is known to be unstable may stand
   /// there.
   std::vector<std::string> ladder;
-  std::function<std::unique_ptr<Integrator>(const Options&)> make;
+  std::function<std::unique_ptr<Method>(const Options&)> make;
 };
 
 /// `spec` with ",rtol=" or ":rtol=" 1e-first, ..., 1e-last appended: the usual ladder of an adaptive method.
@@ -43,6 +43,8 @@ struct IntegratorEntry {
 [[nodiscard]] const IntegratorEntry& find_integrator(const std::string& name);
 
 /// Checks a SPEC completely and builds the method. Throws UsageError.
+[[nodiscard]] std::unique_ptr<Method> make_method(const std::string& spec);
+/// The same under the driver: what runs.
 [[nodiscard]] std::unique_ptr<Integrator> make_integrator(const std::string& spec);
 
 }  // namespace superstep

@@ -14,7 +14,7 @@ IntegratorEntry rkc_entry() {
           .keys = stabilised_keys(rkc2_family(), true),
           .examples = {"rkc:rtol=1e-6", "rkc:order=1,rtol=1e-3", "rkc:step=15"},
           .ladder = joined({rtol_ladder("rkc", 1, 8), rtol_ladder("rkc:order=1", 1, 4)}),
-          .make = [](const Options& options) -> std::unique_ptr<Integrator> {
+          .make = [](const Options& options) -> std::unique_ptr<Method> {
             return std::make_unique<Stabilised>(
                 options.integer("order").value_or(2) == 1 ? rkc1_family() : rkc2_family(), options);
           }};

@@ -14,7 +14,7 @@ IntegratorEntry rkg_entry() {
           .keys = stabilised_keys(rkg2_family(), false),
           .examples = {"rkg:rtol=1e-6", "rkg:step=15"},
           .ladder = rtol_ladder("rkg", 1, 8),
-          .make = [](const Options& options) -> std::unique_ptr<Integrator> {
+          .make = [](const Options& options) -> std::unique_ptr<Method> {
             return std::make_unique<Stabilised>(rkg2_family(), options);
           }};
 }

@@ -14,7 +14,7 @@ IntegratorEntry rkl_entry() {
           .keys = stabilised_keys(rkl2_family(), true),
           .examples = {"rkl:rtol=1e-6", "rkl:order=1,rtol=1e-3", "rkl:step=15"},
           .ladder = joined({rtol_ladder("rkl", 1, 8), rtol_ladder("rkl:order=1", 1, 4)}),
-          .make = [](const Options& options) -> std::unique_ptr<Integrator> {
+          .make = [](const Options& options) -> std::unique_ptr<Method> {
             return std::make_unique<Stabilised>(
                 options.integer("order").value_or(2) == 1 ? rkl1_family() : rkl2_family(), options);
           }};

@@ -14,7 +14,7 @@ IntegratorEntry rock_entry() {
           .keys = stabilised_keys(rock4_family(), false),
           .examples = {"rock:rtol=1e-6", "rock:step=0.1"},
           .ladder = rtol_ladder("rock", 2, 10),
-          .make = [](const Options& options) -> std::unique_ptr<Integrator> {
+          .make = [](const Options& options) -> std::unique_ptr<Method> {
             return std::make_unique<Stabilised>(rock4_family(), options);
           }};
 }

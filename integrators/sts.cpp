@@ -14,7 +14,6 @@
 #include "core/error.hpp"
 #include "core/state_vector.hpp"
 #include "integrators/detail/critical_step.hpp"
-#include "integrators/detail/run_guard.hpp"
 #include "integrators/detail/super_step.hpp"
 #include "integrators/detail/superstep_engine.hpp"
 #include "integrators/registry.hpp"
@@ -49,7 +48,7 @@ AutoSuperstep choose_superstep(double wanted, double critical_step) {
   return out;
 }
 
-class SuperTimeStepping final : public Integrator {
+class SuperTimeStepping final : public OneStepMethod {
  public:
   explicit SuperTimeStepping(const Options& options)
       : critical_step_(options),
@@ -63,16 +62,13 @@ class SuperTimeStepping final : public Integrator {
     if (automatic_ && options.has("nu")) throw UsageError("sts: n=auto chooses nu as well; leave nu out");
   }
 
-  void prepare(Rhs& rhs, const Plan& plan) override {
+  void prepare(Rhs& rhs, const Task& task) override {
     rhs_ = &rhs;
-    track_inflow_ = plan.track_inflow;
-    guard_.prepare(rhs, plan);
-    recorder_.prepare(plan);
-    state_.resize(rhs.size());
+    critical_step_.prepare(rhs, task.spans);
     if (automatic_) {
-      const double critical_step = critical_step_.resolve(rhs, plan.t_begin, state_);
-      const double first_output = plan.output_times.front() - plan.t_begin;
-      const auto chosen = choose_superstep(10 * rtol_ * first_output, critical_step);
+      const std::vector<double> zero(rhs.size(), 0.0);
+      const double first_output = task.plan->output_times.front() - task.t_begin;
+      const auto chosen = choose_superstep(10 * rtol_ * first_output, critical_step_.at(task.t_begin, zero));
       n_ = chosen.n;
       nu_ = chosen.nu;
     }
@@ -81,47 +77,38 @@ class SuperTimeStepping final : public Integrator {
     if (!halves_) return whole_.prepare(rhs);
     driver_.prepare(halves_->driver());
     driven_.prepare(halves_->driven());
-    rate_.resize(halves_->driven().size());
+    for (auto* v : {&driven_state_, &rate_}) v->resize(halves_->driven().size());
+    driver_state_.resize(halves_->driver().size());
   }
 
-  void start(double t, std::span<const double> y) override {
-    t_ = t;
-    rhs_->restart(t);
-    state_.assign(y.begin(), y.end());
-    if (halves_) {
-      driver_.start(y.first(halves_->driver().size()));
-      driven_.start(y.subspan(halves_->driver().size()));
-    } else {
-      whole_.start(y);
-    }
-    superstep_ = critical_step_.resolve(*rhs_, t, state()) * superstep_length(n_, nu_);
-    statistics_ = {.max_stages = n_, .time_per_sweep = superstep_ / n_};
+  [[nodiscard]] double rtol() const override { return automatic_ ? rtol_ : 0; }
+  [[nodiscard]] Pace pace() const override { return Pace::multiples; }
+  [[nodiscard]] double own_step(double t, std::span<const double> y) override {
+    return critical_step_.at(t, y) * superstep_length(n_, nu_);
+  }
+  [[nodiscard]] bool stability_varies() const override { return critical_step_.varies(); }
+  [[nodiscard]] double stable_step(double t, std::span<const double> y) override {
+    return critical_step_.limit(t, y) * superstep_length(n_, nu_);
+  }
+  void restart(double t, std::span<const double> y, bool /*smooth*/) override {
+    if (superstep_ == 0) superstep_ = own_step(t, y);
   }
 
-  Outcome advance(double t_out) override {
-    double t_in = t_;
-    auto steps = steps_to_cover(t_out - t_in, superstep_);
-    const std::uint64_t supersteps_per_check = 1 + RunGuard::stride / static_cast<unsigned>(n_);
-    for (std::uint64_t k = 1; k <= steps; ++k) {
-      // The last superstep before an output time keeps n and scales all substeps.
-      take_superstep(k == steps ? t_out : t_in + static_cast<double>(k) * superstep_);
-      if (guard_.stop_requested(t_)) return interrupted_at(t_);
-      if (k % supersteps_per_check != 0) continue;
-      if (Outcome outcome = guard_.check(t_, state()); !outcome.ok()) return outcome;
-      if (!critical_step_.may_have_changed(*rhs_, t_, state())) continue;
-      superstep_ = critical_step_.resolve(*rhs_, t_, state()) * superstep_length(n_, nu_);
-      t_in = t_;
-      steps = steps_to_cover(t_out - t_in, superstep_);
-      k = 0;
-    }
-    return guard_.check(t_, state());
+  /// The last superstep before a landing keeps n and scales all substeps.
+  Trial attempt(const Step& step, StateVector& state, StateVector& next) override {
+    next = state;  // same size: no allocation
+    if (halves_)
+      step_halves(step, next);
+    else
+      whole_.step(plan_, step.t, step.h(), next);
+    return {};
   }
 
-  [[nodiscard]] double time() const noexcept override { return t_; }
-  [[nodiscard]] std::span<const double> state() const noexcept override {
-    return halves_ ? std::span<const double>(state_) : whole_.state();
+  void reset_counts() override { superstep_ = 0; }
+  void add_counts(Statistics& statistics) const override {
+    statistics.max_stages = std::max(statistics.max_stages, n_);
+    if (statistics.time_per_sweep == 0) statistics.time_per_sweep = superstep_ / n_;
   }
-  [[nodiscard]] const Statistics& statistics() const noexcept override { return statistics_; }
   [[nodiscard]] std::string choice() const override {
     if (!automatic_) return {};
     return fmt::format(
@@ -137,32 +124,19 @@ class SuperTimeStepping final : public Integrator {
     return n_ <= most_leja_substeps && !coupled ? "leja" : "recurrence";
   }
 
-  void take_superstep(double t_next) {
-    const double h = t_next - t_;
-    double* inflow = track_inflow_ ? &statistics_.inflow : nullptr;
-    if (halves_) {
-      step_halves(h, inflow);
-    } else {
-      whole_.step(plan_, t_, h, inflow);
-    }
-    t_ = t_next;
-    ++statistics_.steps;
-    recorder_.record(t_, state());
-  }
-
   /// Staggered, one common superstep: first the potential, then the temperature with the heat of the
   /// potentials at the superstep's end. Source: Rojek & Nisar 2026, section 7.
-  void step_halves(double h, double* inflow) {
-    if (rhs_->steps(0)) {
-      driver_.step(plan_, t_, h, nullptr);
-      halves_->rate(t_ + h, driver_.state(), rate_);
-    }
+  void step_halves(const Step& step, StateVector& y) {
+    const auto middle = y.begin() + static_cast<std::ptrdiff_t>(driver_state_.size());
+    std::copy(y.begin(), middle, driver_state_.begin());
+    std::copy(middle, y.end(), driven_state_.begin());
+    driver_.step(plan_, step.t, step.h(), driver_state_);
+    halves_->rate(step.ends.front(), driver_state_, rate_);
     halves_->drive(rate_);
-    driven_.step(plan_, t_, h, inflow);
+    driven_.step(plan_, step.t, step.h(), driven_state_);
     halves_->drive({});
-    std::copy(driver_.state().begin(), driver_.state().end(), state_.begin());
-    std::copy(driven_.state().begin(), driven_.state().end(),
-              state_.begin() + static_cast<std::ptrdiff_t>(driver_.state().size()));
+    std::copy(driver_state_.begin(), driver_state_.end(), y.begin());
+    std::copy(driven_state_.begin(), driven_state_.end(), middle);
   }
 
   CriticalStep critical_step_;
@@ -172,15 +146,11 @@ class SuperTimeStepping final : public Integrator {
   bool automatic_;
   double rtol_;
   Rhs* rhs_ = nullptr;
-  RunGuard guard_;
-  ProbeRecorder recorder_;
   SuperstepPlan plan_;
   OneWayCoupling* halves_ = nullptr;  ///< null: the state is stepped as a whole
   SuperstepEngine whole_, driver_, driven_;
-  StateVector state_, rate_;
-  double t_ = 0, superstep_ = 0;
-  bool track_inflow_ = false;
-  Statistics statistics_;
+  StateVector driver_state_, driven_state_, rate_;
+  double superstep_ = 0;  ///< the first one [s]
 };
 
 std::vector<OptionKey> sts_keys() {

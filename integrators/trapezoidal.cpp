@@ -2,9 +2,12 @@
 /// Source: Zohdi (2014), eqs 22-30, 36, Algorithm 1. phi = 0.5 is second order but not L-stable: with h
 /// lambda >> 1 stiff modes ring; phi slightly above 0.5 damps them.
 
+#include "integrators/detail/trapezoidal.hpp"
+
+#include <array>
+
 #include "core/error.hpp"
-#include "integrators/detail/trapezoidal_fixed_point.hpp"
-#include "integrators/detail/trapezoidal_newton.hpp"
+#include "integrators/detail/tolerance.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
@@ -41,26 +44,35 @@ std::vector<OptionKey> trapezoidal_keys() {
        .max = 2,
        .fallback = "1",
        .meaning = "fixed-point: power of the step in the contraction; the paper uses 2"},
+      {.name = "control",
+       .type = OptionKey::Type::word,
+       .words = {"error", "paper"},
+       .fallback = "error",
+       .meaning =
+           "fixed-point: steps by the estimated error as well, or as the sintering paper has it by the "
+           "iteration alone, rtol being its tolerance"},
+      tolerance_key("1e-4"),
   };
-  for (auto& key : tolerance_keys("1e-4")) keys.push_back(std::move(key));
   return keys;
 }
 
-std::unique_ptr<Integrator> make_trapezoidal(const Options& options) {
+std::unique_ptr<Method> make_trapezoidal(const Options& options) {
+  static const std::array<std::string, 2> one_of = {"rtol", "step"};
   TrapezoidalSettings rule;
   rule.phi = options.number("phi").value_or(rule.phi);
   rule.rtol = options.number("rtol").value_or(rule.rtol);
-  rule.atol = options.number("atol").value_or(rule.atol);
   rule.fixed_step = options.number("step").value_or(0.0);
-  const std::string solver = options.word("solver", "auto");
-  if (solver == "fixed-point")
-    return std::make_unique<TrapezoidalFixedPoint>(FixedPointSettings{
-        rule, options.integer("iterations").value_or(10), options.integer("p").value_or(1)});
-  for (const char* key : {"iterations", "p"})
+  rule.solver = options.word("solver", rule.solver);
+  if (rule.solver == "fixed-point")
+    return std::make_unique<TrapezoidalFixedPoint>(
+        rule, FixedPointSettings{options.integer("iterations").value_or(10), options.integer("p").value_or(1),
+                                 options.word("control", "error") == "paper"});
+  options.at_most_one_of(one_of);
+  for (const char* key : {"iterations", "p", "control"})
     if (options.has(key))
       throw UsageError(std::string("trapezoidal: ") + key +
                        " goes with solver=fixed-point; leave it out, or choose that");
-  return std::make_unique<TrapezoidalNewton>(rule, solver);
+  return std::make_unique<TrapezoidalNewton>(rule);
 }
 
 }  // namespace

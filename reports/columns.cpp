@@ -35,12 +35,15 @@ constexpr ErrorMeasure measures[] = {
     {"error_as_published", &FieldErrors::published_mean},
     {"decay_rate_as_published", &FieldErrors::published_rate},
     {"decay_r2_as_published", &FieldErrors::published_r2},
+    {"span", &FieldErrors::span},
+    {"delivered", &FieldErrors::delivered},
+    {"distance_to_cvode", &FieldErrors::distance_to_cvode},
 };
 // `reference` stands before the reference's own error; what came later follows at the very end.
-constexpr std::size_t later_columns = 3;
+constexpr std::size_t later_columns = 6;
 constexpr auto error_columns = std::span(measures).first<std::size(measures) - later_columns - 1>();
 constexpr ErrorMeasure reference_error_column = measures[error_columns.size()];
-constexpr auto published_columns = std::span(measures).last<later_columns>();
+constexpr auto later_error_columns = std::span(measures).last<later_columns>();
 
 Column main_column(ErrorMeasure column) {
   return {column.name, [column](const BenchRow& row) { return number(row.errors.*column.value); }};
@@ -105,9 +108,12 @@ std::vector<Column> bench_columns(std::span<const BenchCase> cases) {
     for (const auto& column : error_columns) columns.push_back(potential_column(column));
     columns.push_back(potential_column(reference_error_column));
   }
-  for (const auto& column : published_columns) columns.push_back(main_column(column));
-  for (const auto& column : published_columns)
+  for (const auto& column : later_error_columns) columns.push_back(main_column(column));
+  for (const auto& column : later_error_columns)
     if (twins) columns.push_back(potential_column(column));
+  columns.push_back({"cpu_prepare_s", [](const BenchRow& row) { return number(row.cpu_prepare); }});
+  columns.push_back({"speedup_prepared", [](const BenchRow& row) { return number(row.speedup_prepared); }});
+  columns.push_back({"cpu_pilot_s", [](const BenchRow& row) { return number(row.cpu_pilot); }});
   return columns;
 }
 

@@ -112,6 +112,9 @@ BenchRow row_of(const Object& json) {
   row.speedup_total = json.number("speedup_total");
   row.speedup_stepping = json.number("speedup_stepping");
   row.speedup_theory = json.number("speedup_theory");
+  row.cpu_prepare = json.number("cpu_prepare_s");
+  row.speedup_prepared = json.number("speedup_prepared");
+  row.cpu_pilot = json.number("cpu_pilot_s");
   row.steps = json.count<std::uint64_t>("steps");
   row.rejected = json.count<std::uint64_t>("rejected");
   row.rhs = json.count<std::uint64_t>("rhs");

@@ -26,6 +26,9 @@ struct FieldErrors {
   Number reference_error;  ///< error bar of the reference, rms
   /// Mean, k [1/s] and R2 at the probe by the rule of a published table: see SampledMeasure.
   Number published_mean, published_rate, published_r2;
+  Number span;  ///< largest minus smallest value over all nodes and the whole run: what tolerances refer to
+  Number delivered;  ///< rms over what was asked for, rtol times the span [-]; empty where nothing was
+  Number distance_to_cvode;  ///< rms over the span, worst over the output times [-]
 };
 
 /// How a published table took its errors at the probe: at the instants from, from + every, ..., to.
@@ -54,6 +57,9 @@ struct BenchRow {
   std::vector<double> cpu_stepping_samples;  ///< [repetitions] s, in the order of the rounds
   std::vector<double> yardstick_samples;     ///< [repetitions] s, a fixed piece of work around each
   Number speedup_total, speedup_stepping, speedup_theory;  ///< against the baseline of the case
+  Number cpu_prepare;       ///< s, before the first step: spectrum, factorization, choice; median
+  Number speedup_prepared;  ///< preparation and stepping together, against the baseline
+  Number cpu_pilot;  ///< s, of the run that found the spans for all methods; empty where none was needed
   std::optional<std::uint64_t> steps, rejected, rhs, jacobians, factorizations, solves, max_stages;
   Number peak_memory_mb;                 ///< 1e6 bytes, of the process during the method's warm-up run
   FieldErrors errors;                    ///< of the temperature, or of the only field
@@ -114,8 +120,13 @@ struct RunRecord {
   double t_end = 0, t_reached = 0;  ///< s
   std::size_t nodes = 0, contacts = 0, unknowns = 0;
   std::uint64_t steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorizations = 0, solves = 0;
-  std::uint64_t potential_solves = 0;  ///< steady potentials solved for while integrating
-  std::optional<double> settled_at;    ///< s, when the potential became steady and was no longer stepped
+  std::uint64_t potential_solves = 0;    ///< steady potentials solved for while integrating
+  std::string verified_by;               ///< SPEC that `--verify` ran as well; empty = it did not
+  std::optional<double> delivered;       ///< error over the tolerance asked for, as far as verified [-]
+  double error_bound = 0;                ///< the method's own, over the span [-]; 0 = it has none
+  std::vector<double> spans;             ///< [fields] K or V; empty = no tolerance asked for them
+  double cpu_pilot = 0, cpu_verify = 0;  ///< s
+  std::optional<double> settled_at;      ///< s, when the potential became steady and was no longer stepped
   std::optional<ElectrodeFacts> electrodes;
   int max_stages = 0, threads = 1;
   double cpu_setup = 0, cpu_prepare = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s

@@ -5,10 +5,11 @@
 
 namespace superstep {
 
-std::vector<double> exponential_coefficients(double z, double tolerance, bool driven) {
+std::vector<double> exponential_coefficients(double z, double tolerance, const ExpansionScale& scale) {
   if (!(z > 0)) return {1.0};
   // e^-z I_k(z) falls like exp(-k^2/(2z)) up to k ~ z and faster beyond: start well past the wanted tail.
-  const double decades = std::log(1e20 / std::min(tolerance, 1.0));
+  const double factor = 1 + scale.rate + scale.turn;  // by which the rest may count for more
+  const double decades = std::log(1e20 / std::min(tolerance, 1.0) * std::min(factor, 1e100));
   const double guess = std::sqrt(2 * z * decades) + decades + 10;
   const auto start = static_cast<std::size_t>(guess);
   std::vector<double> c(start + 2, 0.0);
@@ -25,7 +26,8 @@ std::vector<double> exponential_coefficients(double z, double tolerance, bool dr
   std::size_t last = c.size() - 1;
   while (last > 0) {
     const auto k = static_cast<double>(last);
-    tail += c[last] / sum * (driven ? 1 + k * k / z : 1);
+    const double growth = k * k / z;
+    tail += c[last] / sum * (scale.by_rate ? growth * (scale.rate + growth / 6 * scale.turn) : 1);
     if (tail > tolerance) break;
     --last;
   }

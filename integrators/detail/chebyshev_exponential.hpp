@@ -10,17 +10,40 @@
 /// own.
 
 #include <cstddef>
+#include <span>
 #include <vector>
+
+#include "core/state_vector.hpp"
+#include "rhs/rhs.hpp"
 
 namespace superstep {
 
-/// Coefficients c_0 .. c_K with the sum of the rest below `tolerance`, scaled so that they add up to 1.
+/// What the terms that an expansion leaves out are multiplied with, in spans of the field.
+///
+/// Without inputs all U_k lie within the span: the rest counts as it is. With them X(t) = X_0 + t phi_1 f_0 +
+/// t^2 phi_2 f', and since |T_k(x) - 1| <= k^2 (1 - x), |T_k(x) - 1 + k^2 (1 - x)| <= k^4 (1 - x)^2 / 6, the
+/// terms k of the rest count as k^2/z (t |f_0|) and (k^2/z)^2/6 (t^2 |f'|): bounds for every spectrum within
+/// [0, rho].
+struct ExpansionScale {
+  bool by_rate = false;  ///< inputs act
+  double rate = 0;       ///< |f_0| over the span [1/s], or once multiplied with the time [-]
+  double turn = 0;       ///< |f'| over the span [1/s2], or [-]
+  [[nodiscard]] ExpansionScale over(double t) const noexcept { return {by_rate, rate * t, turn * t * t}; }
+};
+
+/// That of a linear field over `elapsed` from (t, y), on one piece of its inputs: up to two sweeps.
+///   span  of the field [K or V];  work, more_work  written over
+[[nodiscard]] ExpansionScale find_expansion_scale(Rhs& rhs, double t, double elapsed,
+                                                  std::span<const double> y, double span, StateVector& work,
+                                                  StateVector& more_work);
+
+/// Coefficients c_0 .. c_K with what the rest can contribute below `tolerance` (in spans), scaled so that
+/// they add up to 1.
 ///   z [-]   t rho/2, >= 0
-///   driven  sources act: a mode without decay then grows, and the rest is weighted with the k^2/z that it
-///   grows by
 /// Miller's backward recurrence: relative accuracy in every coefficient. O(K) time, K ~ sqrt(2 z
 /// ln(1/tolerance)).
-[[nodiscard]] std::vector<double> exponential_coefficients(double z, double tolerance, bool driven);
+[[nodiscard]] std::vector<double> exponential_coefficients(double z, double tolerance,
+                                                           const ExpansionScale& scale = {});
 
 /// Integrals over time of the coefficients, in units of 2/rho: d_k = integral from 0 to z of c_k. Same
 /// length.

@@ -1,24 +1,24 @@
 #pragma once
 /// exp(-t A) by Chebyshev polynomials on [0, rho]: one fused sweep a term, error known beforehand.
 
-#include "integrators/detail/output_batch.hpp"
+#include "integrators/detail/chebyshev_exponential.hpp"
+#include "integrators/detail/instant_batch.hpp"
 
 namespace superstep {
 
-class ChebyshevPropagator final : public BatchPropagator, private ChainObserver {
+class ChebyshevPropagator final : public InstantBatch, private ChainObserver {
  public:
   /// rtol: error at each output time relative to the span of the field, in the capacity-weighted rms norm.
-  explicit ChebyshevPropagator(double rtol) : rtol_(rtol) {}
+  using InstantBatch::InstantBatch;
 
  private:
-  void allocate(std::size_t outputs) override;
+  void allocate() override;
   [[nodiscard]] Outcome propagate(std::span<Output> outputs) override;
   void entries_done(std::size_t stage, std::size_t first, std::size_t last) override;
   void add_pair(std::size_t k, const double* u, const double* next, std::size_t first, std::size_t last);
   void add_probes(std::size_t k, const double* u, std::size_t first, std::size_t last);
   void add_inflow(std::size_t k, double inflow);
 
-  double rtol_;
   StateVector u_, next_;
   std::vector<std::vector<double>> coefficients_, integrals_;  ///< one list per output
   // Of the pass under way:

@@ -29,8 +29,8 @@ class CholmodSolver final : public ShiftedSolver {
   }
 
   bool set(double c, double t, std::span<const double> y) override {
-    const bool stands = jacobian_.stands_at(t, y);
-    if (stands && c == shift_) return true;
+    const bool still_valid = jacobian_.bring_to(t, y);
+    if (still_valid && c == shift_) return true;
     const auto capacity = rhs_.capacities();
     const auto value = factor_->values();
     for (std::size_t k = 0; k < upper_.size(); ++k) {

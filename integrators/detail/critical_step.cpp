@@ -1,6 +1,7 @@
 #include "integrators/detail/critical_step.hpp"
 
 #include <array>
+#include <limits>
 
 namespace superstep {
 namespace {
@@ -27,11 +28,19 @@ std::vector<OptionKey> critical_step_keys() {
        .min = 0,
        .min_open = true,
        .fallback = "0.9",
-       .meaning = "critical step = fraction x certified limit 2/min(edge bound, Gershgorin)"},
+       .meaning = "critical step = fraction x limit 2/radius"},
+      {.name = "bound",
+       .type = OptionKey::Type::word,
+       .words = {"certified", "lanczos"},
+       .fallback = "certified",
+       .meaning =
+           "radius of that limit: certified by min(edge bound, Gershgorin), or the sharp one that Lanczos "
+           "finds and a reserve of 1 to 2 % (where conductances are constant)"},
   };
 }
 
-CriticalStep::CriticalStep(const Options& options) {
+CriticalStep::CriticalStep(const Options& options)
+    : radius_(options.word("bound", "certified") == "lanczos") {
   static const std::array<std::string, 3> keys = {"step", "alpha", "fraction"};
   options.at_most_one_of(keys);
   if (const auto step = options.number("step")) {
@@ -46,22 +55,32 @@ CriticalStep::CriticalStep(const Options& options) {
   }
 }
 
-bool CriticalStep::may_have_changed(Rhs& rhs, double t, std::span<const double> y) const {
-  const bool settled = rhs.settle(t, y, 0);
-  return rule_ == Rule::fraction && (settled || !rhs.traits().constant_jacobian);
+void CriticalStep::prepare(Rhs& rhs, std::span<const double> spans) {
+  rhs_ = &rhs;
+  radius_.prepare(rhs, spans);
 }
 
-double CriticalStep::resolve(Rhs& rhs, double t, std::span<const double> y) const {
+bool CriticalStep::varies() const noexcept {
+  return rule_ == Rule::fraction && radius_.varies();
+}
+
+double CriticalStep::at(double t, std::span<const double> y) {
   switch (rule_) {
     case Rule::step:
       return value_;
     case Rule::alpha:
-      return value_ * rhs.pair_step_without_interface();
+      return value_ * rhs_->facts().pair_step;
     case Rule::fraction:
       break;
   }
-  const double bound = rhs.spectral_bound(t, y);
-  return bound > 0 ? value_ * 2 / bound : std::numeric_limits<double>::infinity();
+  return value_ * limit(t, y);
+}
+
+double CriticalStep::limit(double t, std::span<const double> y) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (rule_ != Rule::fraction) return none;
+  const double radius = radius_.at(t, y);
+  return radius > 0 ? 2 / radius : none;
 }
 
 }  // namespace superstep

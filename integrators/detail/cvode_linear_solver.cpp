@@ -45,8 +45,8 @@ class KluLinearSolver final : public CvodeLinearSolver {
     auto& callback = *static_cast<CvodeCallbackData*>(data);
     auto& self = *static_cast<KluLinearSolver*>(callback.linear_solver);
     Rhs& rhs = *callback.rhs;
-    const bool stands = self.jacobian_.stands_at(t, sundials::entries(y), jacobian_ok != SUNFALSE);
-    *jacobian_new = stands ? SUNFALSE : SUNTRUE;
+    const bool still_valid = self.jacobian_.bring_to(t, sundials::entries(y), jacobian_ok != SUNFALSE);
+    *jacobian_new = still_valid ? SUNFALSE : SUNTRUE;
     double* values = SUNSparseMatrix_Data(matrix);
     std::transform(self.jacobian_.values().begin(), self.jacobian_.values().end(), values,
                    [gamma](double j) { return -gamma * j; });
@@ -92,7 +92,13 @@ class GmresLinearSolver final : public CvodeLinearSolver {
   static int jacobian_times(N_Vector v, N_Vector jv, double /*t*/, N_Vector /*y*/, N_Vector /*fy*/,
                             void* data, N_Vector /*work*/) noexcept {
     auto& callback = *static_cast<CvodeCallbackData*>(data);
-    callback.rhs->linear_stage({.y1 = sundials::entries(v).data(), .a = 0, .d = 1}, sundials::entries(jv));
+    const auto in = sundials::entries(v), out = sundials::entries(jv);
+    if (callback.rhs->traits().linear)
+      callback.rhs->linear_stage({.y1 = in.data(), .a = 0, .d = 1}, out);
+    else
+      static_cast<GmresLinearSolver*>(callback.linear_solver)
+          ->preconditioner_.jacobian()
+          .multiply(0, 1, in, out);
     return 0;
   }
 
@@ -157,7 +163,6 @@ std::unique_ptr<CvodeLinearSolver> make_cvode_linear_solver(const std::string& k
                                                             SUNContext context) {
   if (kind == "klu") return std::make_unique<KluLinearSolver>(ordering, rhs, y, context);
   if (kind == "cholmod") return std::make_unique<ShiftedLinearSolver>(make_cholmod_solver(rhs), context);
-  if (!rhs.traits().linear) throw Refused("linsol=" + kind + " needs a linear scene; use klu");
   if (kind == "gmres") return std::make_unique<GmresLinearSolver>(rhs, y, context);
   return std::make_unique<ShiftedLinearSolver>(make_pcg_solver(rhs), context);
 }

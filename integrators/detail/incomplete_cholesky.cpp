@@ -1,14 +1,11 @@
 #include "integrators/detail/incomplete_cholesky.hpp"
 
+#include <algorithm>
 #include <cmath>
-
-#include "integrators/integrator.hpp"
 
 namespace superstep {
 
 IncompleteCholesky::IncompleteCholesky(Rhs& rhs) : rhs_(rhs), jacobian_(rhs) {
-  if (!rhs.traits().symmetric)
-    throw Refused("this solver needs a Jacobian that is symmetric in the capacity inner product; use klu");
   for (const double capacity : rhs.capacities()) root_.push_back(std::sqrt(capacity));
   scaled_.resize(static_cast<Eigen::Index>(rhs.size()));
   build_lower_triangle();
@@ -17,13 +14,15 @@ IncompleteCholesky::IncompleteCholesky(Rhs& rhs) : rhs_(rhs), jacobian_(rhs) {
 void IncompleteCholesky::build_lower_triangle() {
   const auto& pattern = rhs_.pattern();
   const auto n = static_cast<Eigen::Index>(rhs_.size());
+  const auto fields = rhs_.fields();
+  const auto field_of = [&](std::size_t i) { return fields.size() > 1 && i >= fields[1].offset ? 1 : 0; };
   std::vector<Eigen::Triplet<double, int>> triplets;
   for (std::size_t j = 0; j < rhs_.size(); ++j)
     for (auto k = pattern.column_begin[j]; k < pattern.column_begin[j + 1]; ++k) {
       const auto i = static_cast<std::size_t>(pattern.row[static_cast<std::size_t>(k)]);
-      if (i < j) continue;
+      if (i < j || field_of(i) != field_of(j)) continue;
       triplets.emplace_back(static_cast<int>(i), static_cast<int>(j), 1.0);
-      position_.push_back({static_cast<std::size_t>(k), i, j});
+      position_.push_back({static_cast<std::size_t>(k), pattern.position(j, i), i, j});
     }
   lower_.resize(n, n);
   lower_.setFromTriplets(triplets.begin(),
@@ -32,13 +31,17 @@ void IncompleteCholesky::build_lower_triangle() {
 }
 
 bool IncompleteCholesky::set(double c, double t, std::span<const double> y) {
-  const bool stands = jacobian_.stands_at(t, y);
-  if (stands && c == shift_) return true;
+  const bool still_valid = jacobian_.bring_to(t, y);
+  if (still_valid && c == shift_) return true;
   shift_ = c;
+  const bool symmetric = rhs_.traits().symmetric;
   double* values = lower_.valuePtr();
   for (std::size_t k = 0; k < position_.size(); ++k) {
-    const auto [entry, row, column] = position_[k];
-    values[k] = (row == column ? 1.0 : 0.0) - c * jacobian_.values()[entry] * root_[row] / root_[column];
+    const auto [entry, mirror, row, column] = position_[k];
+    const double ratio = root_[row] / root_[column];
+    const double lower = jacobian_.values()[entry] * ratio;
+    const double upper = symmetric ? lower : jacobian_.values()[mirror] / ratio;
+    values[k] = (row == column ? 1.0 : 0.0) - c * 0.5 * (lower + upper);
   }
   factor_.factorize(lower_);
   ++factorizations_;

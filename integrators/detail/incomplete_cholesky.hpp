@@ -11,22 +11,25 @@
 
 namespace superstep {
 
-/// Factorizes S = C^(1/2) (I - c J) C^(-1/2), which is symmetric, with the fill of its own pattern.
+/// Factorizes S = C^(1/2) (I - c J) C^(-1/2) with the fill of its own pattern. Where S is not symmetric,
+/// because conductivities follow the temperature or one field drives another, its symmetric part within each
+/// field is taken: good enough for a preconditioner.
 class IncompleteCholesky {
  public:
-  /// Throws Refused when the right-hand side is not symmetric in the capacity inner product.
   explicit IncompleteCholesky(Rhs& rhs);
-  /// Keeps what it has while c and the values of the right-hand side stand. False when the factorization
+  /// Keeps what it has while c and the Jacobian stay the same. False when the factorization
   /// breaks down.
   [[nodiscard]] bool set(double c, double t, std::span<const double> y);
   /// z = approximate inverse of (I - c J) times r; z may be r.
   void apply(std::span<const double> r, std::span<double> z);
+  /// The Jacobian that `set` took last.
+  [[nodiscard]] const KeptJacobian& jacobian() const noexcept { return jacobian_; }
   [[nodiscard]] std::uint64_t factorizations() const noexcept { return factorizations_; }
   void reset_count() noexcept { factorizations_ = 0; }
 
  private:
   struct Entry {
-    std::size_t entry, row, column;
+    std::size_t entry, mirror, row, column;  ///< positions of (i,j) and (j,i) in the Jacobian
   };
   void build_lower_triangle();
 

@@ -12,24 +12,33 @@ class KeptJacobian {
  public:
   explicit KeptJacobian(Rhs& rhs) : rhs_(rhs), values_(rhs.pattern().row.size()) {}
 
-  /// Brings the values to (t, y). Returns true when they stand as they are.
+  /// Brings the values to (t, y). Returns true when those that were there are still valid.
   ///   earlier_will_do  those of another state serve as well
-  [[nodiscard]] bool stands_at(double t, std::span<const double> y, bool earlier_will_do = false) {
-    if (version_ == rhs_.values_version() && (rhs_.traits().constant_jacobian || earlier_will_do))
-      return true;
+  [[nodiscard]] bool bring_to(double t, std::span<const double> y, bool earlier_will_do = false) {
+    if (known_ && (rhs_.traits().constant_jacobian || earlier_will_do)) return true;
     rhs_.jacobian(t, y, values_);
-    version_ = rhs_.values_version();
+    known_ = true;
     return false;
   }
   /// The next values are evaluated anew.
-  void forget() noexcept { version_ = 0; }
+  void forget() noexcept { known_ = false; }
   /// On the pattern of the right-hand side [1/s].
   [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
+  /// out = a v + b J v
+  void multiply(double a, double b, std::span<const double> v, std::span<double> out) const {
+    const auto& pattern = rhs_.pattern();
+    for (std::size_t i = 0; i < v.size(); ++i) out[i] = a * v[i];
+    for (std::size_t j = 0; j < v.size(); ++j)
+      for (auto k = pattern.column_begin[j]; k < pattern.column_begin[j + 1]; ++k) {
+        const auto e = static_cast<std::size_t>(k);
+        out[static_cast<std::size_t>(pattern.row[e])] += b * values_[e] * v[j];
+      }
+  }
 
  private:
   Rhs& rhs_;
   std::vector<double> values_;
-  std::uint64_t version_ = 0;
+  bool known_ = false;
 };
 
 }  // namespace superstep

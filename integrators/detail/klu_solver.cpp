@@ -32,8 +32,8 @@ class KluSolver final : public ShiftedSolver {
   KluSolver& operator=(const KluSolver&) = delete;
 
   bool set(double c, double t, std::span<const double> y) override {
-    const bool stands = jacobian_.stands_at(t, y);
-    if (stands && c == shift_) return true;
+    const bool still_valid = jacobian_.bring_to(t, y);
+    if (still_valid && c == shift_) return true;
     std::transform(jacobian_.values().begin(), jacobian_.values().end(), matrix_.begin(),
                    [c](double j) { return -c * j; });
     for (const auto k : rhs_.pattern().diagonal) matrix_[static_cast<std::size_t>(k)] += 1;

@@ -8,6 +8,7 @@
 
 #include "core/parallel.hpp"
 #include "integrators/detail/chebyshev_exponential.hpp"
+#include "integrators/detail/run_guard.hpp"
 
 namespace superstep {
 namespace {
@@ -30,7 +31,8 @@ TridiagonalResponse tridiagonal_response(std::span<const double> alpha, std::spa
     out.integral[0] = t * t / 2;
     return out;
   }
-  const auto c = exponential_coefficients(t * radius / 2, tolerance, true);
+  // y' = e_1 - T y from 0: a rate of length 1, and results up to t.
+  const auto c = exponential_coefficients(t * radius / 2, tolerance, {.by_rate = true, .rate = 1});
   const auto d = integrated_coefficients(c);
   // The affine Chebyshev recurrence of chebyshev_exponential.hpp on y' = e_1 - T y.
   std::vector<double> before(m, 0.0), now(m, 0.0);
@@ -50,7 +52,9 @@ TridiagonalResponse tridiagonal_response(std::span<const double> alpha, std::spa
   return out;
 }
 
-void LanczosPropagator::allocate(std::size_t /*outputs*/) {
+void LanczosPropagator::allocate() {
+  if (!rhs().traits().autonomous)
+    throw Refused("basis=lanczos is for constant inputs; leave it out where they change in time");
   for (auto* v : {&v_, &previous_, &w_}) v->resize(rhs().size());
 }
 
@@ -59,7 +63,7 @@ double LanczosPropagator::dot(const std::vector<double>& a, const std::vector<do
   return rhs().reduction().sum([&](std::size_t i) { return capacity[i] * a[i] * b[i]; });
 }
 
-void LanczosPropagator::begin() {
+void LanczosPropagator::begin_space() {
   rhs()(now(), origin(), v_);
   length_ = std::sqrt(dot(v_, v_));
   if (length_ > 0)
@@ -83,27 +87,30 @@ bool LanczosPropagator::next_vector(std::size_t j) {
 double LanczosPropagator::allowed_error() const {
   const auto capacity = rhs().capacities();
   const double total = rhs().reduction().sum([&](std::size_t i) { return capacity[i]; });
-  double span = 0;
-  for (const auto& range : plan().ranges) span = std::max(span, range.span());
-  if (!(span > 0)) span = rhs().source_rate(0) * (plan().output_times.back() - plan().t_begin);
-  return rtol_ * span * std::sqrt(total);
+  return tolerance() * span() * std::sqrt(total);
 }
 
-/// The last components of the small solution bound what further vectors would add.
+/// The residual of the projected solution u is beta_m |f_0| u_m(s) v_{m+1}. The components of u keep their
+/// signs for all times, so that the integral of |u_m| is that of u_m.
+double LanczosPropagator::precision_of_small_solution(double elapsed) const {
+  constexpr double part = 0.01;
+  return std::clamp(part * allowed_error() / (length_ * elapsed), 1e-18, 1e-3);
+}
+
 bool LanczosPropagator::accurate(double elapsed) const {
   const std::size_t m = alpha_.size();
-  const auto y = tridiagonal_response(alpha_, std::span(beta_).first(m - 1), elapsed, 1e-3 * rtol_).value;
-  double last = 0;
-  for (std::size_t j = m - std::min<std::size_t>(m, 4); j < m; ++j) last = std::max(last, std::abs(y[j]));
-  constexpr double safety = 0.1;
-  return length_ * last <= safety * allowed_error();
+  const double scale = length_ * beta_.back(), wanted = allowed_error() / scale;
+  const double precision = std::clamp(0.1 * wanted / (elapsed * elapsed), 1e-18, 1e-3);
+  const auto u = tridiagonal_response(alpha_, std::span(beta_).first(m - 1), elapsed, precision);
+  constexpr double safety = 0.5;  // the small solution has errors, too
+  return std::abs(u.integral.back()) <= safety * wanted;
 }
 
 Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
   if (radius() == 0) return no_exchange(outputs);
   alpha_.clear();
   beta_.clear();
-  begin();
+  begin_space();
   double check_at = first_check;
   for (bool more = length_ > 0; more;) {
     more = next_vector(alpha_.size());
@@ -122,13 +129,13 @@ Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
   const double inflow = rhs().inflow(now(), origin());
   for (auto& output : outputs) {
     if (m > 0)
-      responses.push_back(
-          tridiagonal_response(alpha_, std::span(beta_).first(m - 1), output.elapsed, 1e-3 * rtol_));
+      responses.push_back(tridiagonal_response(alpha_, std::span(beta_).first(m - 1), output.elapsed,
+                                               precision_of_small_solution(output.elapsed)));
     std::copy_n(origin().begin(), output.state.size(), output.state.begin());
     for (std::size_t p = 0; p < plan().probes.size(); ++p) output.probes[p] = origin()[plan().probes[p]];
     output.inflow = plan().track_inflow ? output.elapsed * inflow : 0;
   }
-  begin();
+  begin_space();
   for (std::size_t j = 0; j < m; ++j) {
     const double inflow_change = plan().track_inflow ? rhs().linear_inflow(v_) : 0;
     for (std::size_t k = 0; k < outputs.size(); ++k) {
@@ -140,7 +147,7 @@ Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
     }
     if (j + 1 < m) next_vector(j);
   }
-  statistics_.max_stages = std::max(statistics_.max_stages, static_cast<int>(2 * m));
+  count_terms(2 * m);
   return {};
 }
 

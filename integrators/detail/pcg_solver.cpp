@@ -10,11 +10,14 @@ namespace superstep {
 namespace {
 
 /// Conjugate gradients with all inner products in the capacities, in which I - c J is self-adjoint; the
-/// operator is a fused sweep.
+/// operator is a fused sweep where the scene is linear, else a product with the Jacobian of the moment.
 class PcgSolver final : public ShiftedSolver {
  public:
   explicit PcgSolver(Rhs& rhs) : rhs_(rhs), preconditioner_(rhs) {
-    if (!rhs.traits().linear) throw Refused("conjugate gradients need a linear scene; use klu");
+    if (!rhs.traits().symmetric)
+      throw Refused(
+          "conjugate gradients need a Jacobian that is symmetric, which conductivities that follow the "
+          "temperature and coupled fields do not give; use klu, or cvode with linsol=gmres");
     for (auto* v : {&residual_, &direction_, &image_, &preconditioned_}) v->resize(rhs.size());
   }
 
@@ -37,7 +40,10 @@ class PcgSolver final : public ShiftedSolver {
     direction_ = preconditioned_;
     double rz = dot(residual_, preconditioned_);
     for (int k = 0; k < most_iterations; ++k) {
-      rhs_.linear_stage({.y1 = direction_.data(), .a = 1, .d = -shift_}, image_);
+      if (rhs_.traits().linear)
+        rhs_.linear_stage({.y1 = direction_.data(), .a = 1, .d = -shift_}, image_);
+      else
+        preconditioner_.jacobian().multiply(1, -shift_, direction_, image_);
       const double alpha = rz / dot(direction_, image_);
       if (!std::isfinite(alpha)) return false;
       for_each_entry(x.size(), [&](std::size_t i) {

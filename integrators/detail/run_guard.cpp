@@ -13,29 +13,33 @@ constexpr double allowed_spans = 10;
 }  // namespace
 
 void RunGuard::prepare(const Rhs& rhs, const Plan& plan) {
-  rhs_ = &rhs;
   ranges_ = plan.ranges;
   t_begin_ = plan.t_begin;
   source_rate_.clear();
-  for (std::size_t f = 0; f < rhs.fields().size(); ++f) source_rate_.push_back(rhs.source_rate(f));
+  const auto& facts = rhs.facts().fields;
+  for (std::size_t f = 0; f < facts.size(); ++f) {
+    source_rate_.push_back(facts[f].source_rate);
+    ranges_[f].take(facts[f].ambient);
+  }
   stop_ = plan.stop;
-  reached_ = plan.reached;
 }
 
-Outcome RunGuard::check(double t, std::span<const double> y) const {
-  const auto fields = rhs_->fields();
+Outcome RunGuard::check(double t, std::span<const double> y, const Rhs& rhs) const {
+  const auto fields = rhs.fields();
+  const std::size_t settled = ranges_.size() - fields.size();
   for (std::size_t f = 0; f < fields.size(); ++f) {
-    const double widened = t > t_begin_ ? source_rate_[f] * (t - t_begin_) : 0;
-    const double low = ranges_[f].low - widened, high = ranges_[f].high + widened;
-    const double rounding = 1e-6 * std::max(std::abs(low), std::abs(high));
-    const double slack = allowed_spans * (high - low) + rounding + std::numeric_limits<double>::min();
+    const FieldRange range = attainable_range(
+        ranges_[settled + f], {.source_rate = source_rate_[settled + f], .ambient = {}}, t - t_begin_);
+    const double rounding = 1e-6 * range.magnitude();
+    const double slack = allowed_spans * range.span() + rounding + std::numeric_limits<double>::min();
     for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride) {
-      if (y[i] >= low - slack && y[i] <= high + slack) continue;  // false for NaN as well
-      return {Status::unstable,
-              fmt::format(
-                  "at t = {:.6g} s the {} of a node is {:.6g} {}, while initial and fixed values and sources "
-                  "allow {:.6g} to {:.6g}: errors grow; take a smaller step",
-                  t, fields[f].name, y[i], fields[f].unit, low, high)};
+      if (y[i] >= range.low - slack && y[i] <= range.high + slack) continue;  // false for NaN as well
+      return {
+          Status::unstable,
+          fmt::format(
+              "at t = {:.6g} s the {} of a node is {:.6g} {}, while initial and fixed values, surroundings "
+              "and sources allow {:.6g} to {:.6g}: errors grow; take a smaller step",
+              t, fields[f].name, y[i], fields[f].unit, range.low, range.high)};
     }
   }
   return {};
@@ -51,33 +55,6 @@ std::uint64_t steps_to_cover(double span, double step) noexcept {
   const double steps = std::ceil(span / step * (1 - rounding));
   constexpr double largest = 1e18;
   return static_cast<std::uint64_t>(std::clamp(steps, 1.0, largest));
-}
-
-void ProbeRecorder::prepare(const Plan& plan) {
-  history_ = plan.history;
-  probes_ = plan.probes;
-  values_.resize(longest_chain * probes_.size());
-}
-
-void ProbeRecorder::record(double t, std::span<const double> y) {
-  if (!history_) return;
-  for (std::size_t k = 0; k < probes_.size(); ++k) values_[k] = y[probes_[k]];
-  record_followed(t, 0);
-}
-
-ChainObserver& ProbeRecorder::follow(std::span<const ChainedStage> chain) noexcept {
-  chain_ = chain;
-  return *this;
-}
-
-void ProbeRecorder::entries_done(std::size_t stage, std::size_t first, std::size_t last) {
-  for (std::size_t k = 0; k < probes_.size(); ++k)
-    if (probes_[k] >= first && probes_[k] < last)
-      values_[stage * probes_.size() + k] = chain_[stage].out[probes_[k]];
-}
-
-void ProbeRecorder::record_followed(double t, std::size_t k) {
-  history_->append(t, std::span(values_).subspan(k * probes_.size(), probes_.size()));
 }
 
 }  // namespace superstep

@@ -13,7 +13,7 @@ namespace superstep {
 class ShiftedSolver {
  public:
   virtual ~ShiftedSolver() = default;
-  /// Makes the matrix I - c J at (t, y); keeps what it has while c and the values of the right-hand side
+  /// Makes the matrix I - c J at (t, y); keeps what it has while c and the Jacobian
   /// stand. Returns false when the matrix cannot be factorized.
   [[nodiscard]] virtual bool set(double c, double t, std::span<const double> y) = 0;
   /// x for b, with a residual of at most `tolerance` of b in the capacity norm (a direct solver gives

@@ -1,5 +1,7 @@
 #pragma once
-/// The spectral radius that stabilised methods step by: sharp where it can be, certified everywhere.
+/// The spectral radius that explicit methods step by: sharp where it can be, certified everywhere.
+
+#include <vector>
 
 #include "rhs/rhs.hpp"
 
@@ -7,13 +9,23 @@ namespace superstep {
 
 class SpectralRadius {
  public:
-  /// Upper bound of the spectral radius at (t, y) [1/s], kept while the values of the right-hand side stand.
-  /// Constant blocks: Lanczos, inflated, plus what may come on top; others: the certified bound.
-  [[nodiscard]] double at(Rhs& rhs, double t, std::span<const double> y);
+  /// sharp: Lanczos for constant blocks, inflated; else the certified bound everywhere.
+  explicit SpectralRadius(bool sharp = true) : sharp_(sharp) {}
+  /// What is known is forgotten; spans [fields] say what a small change of the state is.
+  void prepare(Rhs& rhs, std::span<const double> spans);
+  /// Upper bound of the spectral radius at (t, y) [1/s]. What follows the state is found anew once some value
+  /// has moved by more than a part of its field's span; until then a reserve covers it.
+  [[nodiscard]] double at(double t, std::span<const double> y);
+  /// True when another state may have another radius.
+  [[nodiscard]] bool varies() const noexcept;
 
  private:
-  double value_ = 0;
-  std::uint64_t version_ = 0;
+  [[nodiscard]] bool moved(std::span<const double> y) const noexcept;
+
+  bool sharp_;
+  Rhs* rhs_ = nullptr;
+  std::vector<double> spans_, seen_;
+  double blocks_ = -1, bound_ = 0;  ///< of the constant blocks, -1 = not found yet; of the state `seen_`
 };
 
 }  // namespace superstep

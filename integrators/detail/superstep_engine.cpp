@@ -21,14 +21,13 @@ SuperstepPlan SuperstepPlan::make(int n, double nu, const std::string& order) {
 
 void SuperstepEngine::prepare(Rhs& rhs) {
   rhs_ = &rhs;
-  state_.resize(rhs.size());
   engine_.resize(rhs.size());
 }
 
-void SuperstepEngine::step(const SuperstepPlan& plan, double t, double h, double* inflow) {
+void SuperstepEngine::step(const SuperstepPlan& plan, double t, double h, StateVector& y) {
   if (plan.substeps.empty()) {
-    engine_.step(*rhs_, plan.scheme, t, h, state_, {}, inflow);
-    std::swap(state_, engine_.result());
+    engine_.step(*rhs_, plan.scheme, t, h, y, {});
+    std::swap(y, engine_.result());
     return;
   }
   const double critical_step = h / superstep_length(plan.n, plan.nu);
@@ -37,13 +36,11 @@ void SuperstepEngine::step(const SuperstepPlan& plan, double t, double h, double
     const auto chain = std::span(links).first(std::min(longest_chain, plan.substeps.size() - first));
     for (std::size_t k = 0; k < chain.size(); ++k) {
       const double tau = plan.substeps[first + k] * critical_step;
-      chain[k] = {.t = t, .stage = {.y1 = state_.data(), .a = 1, .d = tau}, .out = engine_.result().data()};
-      std::swap(state_, engine_.result());
+      chain[k] = {.t = t, .stage = {.y1 = y.data(), .a = 1, .d = tau}, .out = engine_.result().data()};
+      std::swap(y, engine_.result());
       t += tau;
     }
-    rhs_->chain(chain, inflow != nullptr);
-    for (const auto& link : chain)
-      if (inflow) *inflow += link.stage.d * link.inflow;
+    rhs_->chain(chain, false);
   }
 }
 

@@ -21,19 +21,16 @@ struct SuperstepPlan {
   [[nodiscard]] static SuperstepPlan make(int n, double nu, const std::string& order);
 };
 
-/// State and work vectors of one right-hand side that supersteps.
+/// Work vectors of one right-hand side that supersteps.
 class SuperstepEngine {
  public:
   void prepare(Rhs& rhs);
-  void start(std::span<const double> y) { state_.assign(y.begin(), y.end()); }
-  /// One superstep over h from t; `inflow`, when not null, gains what entered.
-  void step(const SuperstepPlan& plan, double t, double h, double* inflow);
-  [[nodiscard]] std::span<const double> state() const noexcept { return state_; }
+  /// One superstep over h from t: y becomes its result.
+  void step(const SuperstepPlan& plan, double t, double h, StateVector& y);
 
  private:
   Rhs* rhs_ = nullptr;
   ThreeTermEngine engine_;
-  StateVector state_;
 };
 
 }  // namespace superstep

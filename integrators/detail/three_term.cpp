@@ -40,32 +40,19 @@ void ThreeTermEngine::resize(std::size_t size, bool finishing) {
 }
 
 void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
-                           std::span<const double> y0, std::span<const double> f0, double* inflow) {
-  if (scheme.finish) return step_with_finish(rhs, scheme, t, h, y0, f0, inflow);
-  // The same recurrence on the scalar E' = inflow(t, y), started at 0.
-  double inflow0 = 0, entered = 0, entered_before = 0;
+                           std::span<const double> y0, std::span<const double> f0) {
+  if (scheme.finish) return step_with_finish(rhs, scheme, t, h, y0, f0);
   std::array<ChainedStage, longest_chain> links;
   std::size_t linked = 0;
   const auto stages = static_cast<std::size_t>(scheme.recurrence_stages());
-  std::size_t done = 0;  // stages whose inflow is counted
   const auto run_chain = [&] {
-    rhs.chain(std::span(links).first(linked), inflow != nullptr);
-    for (std::size_t k = 0; k < linked; ++k) {
-      const std::size_t j = ++done;
-      if (j == 1) inflow0 = links[k].inflow;
-      const double next = scheme.m[j] * entered + scheme.n[j] * entered_before +
-                          h * (scheme.mt[j] * links[k].inflow + scheme.gt[j] * inflow0);
-      entered_before = std::exchange(entered, next);
-    }
+    rhs.chain(std::span(links).first(linked), false);
     linked = 0;
   };
 
   if (scheme.uses_first_derivative) {
     const double first = scheme.mt[1] * h;
     for_each_entry(y0.size(), [&](std::size_t i) { result_[i] = y0[i] + first * f0[i]; });
-    if (inflow) inflow0 = rhs.inflow(t, y0);
-    entered = first * inflow0;
-    done = 1;
   } else {
     links[linked++] = {
         .t = t, .stage = {.y1 = y0.data(), .a = 1, .d = scheme.mt[1] * h}, .out = result_.data()};
@@ -86,33 +73,26 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
     before = previous_;
   }
   if (linked > 0) run_chain();
-  if (inflow) *inflow += entered;
 }
 
 void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
-                                       std::span<const double> y0, std::span<const double> f0,
-                                       double* inflow) {
+                                       std::span<const double> y0, std::span<const double> f0) {
   const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
   const std::size_t n = y0.size();
   const auto time = [&](std::size_t stage) { return t + scheme.c[stage] * h; };
   const auto place = [&](std::span<const double> change) {
     for_each_entry(n, [&](std::size_t i) { argument_[i] = y0[i] + change[i]; });
   };
-  // Changes D_j = Y_j - Y_0 of the last two stages, and of E' = inflow(t, y), started at 0.
+  // Changes D_j = Y_j - Y_0 of the last two stages.
   auto &now = result_, &before = previous_;
   for_each_entry(n, [&](std::size_t i) {
     before[i] = 0;
     now[i] = scheme.mt[1] * h * f0[i];
   });
-  double entered = inflow ? scheme.mt[1] * h * rhs.inflow(t, y0) : 0, entered_before = 0;
   const auto recurrence = static_cast<std::size_t>(scheme.recurrence_stages());
   for (std::size_t j = 2; j <= recurrence; ++j) {
     const double m = scheme.m[j], n_j = scheme.n[j], mt = scheme.mt[j] * h;
-    if (inflow || !by_change) place(now);
-    if (inflow) {
-      const double next = m * entered + n_j * entered_before + mt * rhs.inflow(time(j - 1), argument_);
-      entered_before = std::exchange(entered, next);
-    }
+    if (!by_change) place(now);
     // Terms with factor zero are there because a sweep takes Y_0 and F_0 together.
     if (by_change)
       rhs.linear_stage({.y1 = now.data(),
@@ -143,7 +123,7 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
   const auto& a = scheme.finish->a;
   const auto& b = scheme.finish->b;
   const auto sweep = [&](std::size_t k, std::span<const double> change) {
-    if (inflow || !by_change) place(change);
+    if (!by_change) place(change);
     if (by_change)
       rhs.linear_stage({.y1 = change.data(),
                         .a = 0,
@@ -157,7 +137,6 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
                        slopes_[k]);
     else
       rhs(time(recurrence + k), argument_, slopes_[k]);
-    if (inflow) entered += h * b[k] * rhs.inflow(time(recurrence + k), argument_);
   };
   const auto& [f1, f2, f3, f4] = slopes_;
   auto& stage = before;
@@ -173,7 +152,6 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
   for_each_entry(n, [&](std::size_t i) {
     result_[i] = y0[i] + (now[i] + h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]));
   });
-  if (inflow) *inflow += entered;
 }
 
 }  // namespace superstep

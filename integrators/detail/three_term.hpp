@@ -55,20 +55,19 @@ class ThreeTermEngine {
   void resize(std::size_t size, bool finishing = false);
   /// One step from y0 over h. `f0` = f(t, y0) when the scheme uses it, else may be empty (the engine sweeps
   /// for itself).
-  ///   inflow  when not null, gains the inflow integrated by the same recurrence
   /// With a finishing procedure the stages are kept as changes from y0: their roundings, which the finish
   /// multiplies, are then those of the change. Linear autonomous right-hand sides are even evaluated at the
   /// change.
   /// The result is in `result()` until the next call; y0 is left as it is.
   void step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
-            std::span<const double> f0, double* inflow);
+            std::span<const double> f0);
   [[nodiscard]] StateVector& result() noexcept { return result_; }
   /// F(G_1) ... F(G_4) of the last step's finishing procedure.
   [[nodiscard]] const std::array<StateVector, 4>& slopes() const noexcept { return slopes_; }
 
  private:
   void step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
-                        std::span<const double> y0, std::span<const double> f0, double* inflow);
+                        std::span<const double> y0, std::span<const double> f0);
 
   StateVector result_, previous_, argument_;
   std::array<StateVector, 4> slopes_;

@@ -1,12 +1,12 @@
-#include "integrators/detail/trapezoidal_fixed_point.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "integrators/detail/trapezoidal.hpp"
 
 namespace superstep {
 namespace {
@@ -16,120 +16,101 @@ constexpr double largest_rejected_factor = 0.9;  // a rejected step must shrink
 
 }  // namespace
 
-void TrapezoidalFixedPoint::prepare(Rhs& rhs, const Plan& plan) {
-  rhs_ = &rhs;
-  track_inflow_ = plan.track_inflow;
-  t_end_ = plan.output_times.back();
-  guard_.prepare(rhs, plan);
-  recorder_.prepare(plan);
-  for (auto* v : {&state_, &derivative_, &iterate_, &iterate_before_}) v->resize(rhs.size());
-  if (rhs.traits().linear) radius_ = spectral_radius_.at(rhs, plan.t_begin, state_);
+void TrapezoidalFixedPoint::prepare(Rhs& rhs, const Task& task) {
+  Trapezoidal::prepare(rhs, task);
+  radius_.prepare(rhs, task.spans);
 }
 
-void TrapezoidalFixedPoint::start(double t, std::span<const double> y) {
-  t_ = t;
-  rhs_->restart(t);
-  std::copy(y.begin(), y.end(), state_.begin());
-  (*rhs_)(t_, state_, derivative_);
-  radius_ = spectral_radius_.at(*rhs_, t_, state_);
-  const double contraction = settings_.rule.phi * radius_;
-  step_ = contraction > 0 ? std::min(t_end_ - t, 0.5 / contraction) : t_end_ - t;
-  statistics_ = {};
+OneStepMethod::Pace TrapezoidalFixedPoint::pace() const {
+  if (settings_.fixed_step > 0) return Pace::multiples;
+  return iteration_.paper_control ? Pace::method : Pace::error;
 }
 
-TrapezoidalFixedPoint::Iteration TrapezoidalFixedPoint::iterate(double h) {
+double TrapezoidalFixedPoint::own_step(double t, std::span<const double> y) {
+  if (settings_.fixed_step > 0) return settings_.fixed_step;
+  const double contraction = settings_.phi * radius_.at(t, y);
+  return contraction > 0 ? 0.5 / contraction : std::numeric_limits<double>::infinity();
+}
+
+/// Where the iteration cannot contract there is nothing to try.
+double TrapezoidalFixedPoint::longest_step(double t, std::span<const double> y) {
+  radius_now_ = radius_.at(t, y);
+  const double contraction = settings_.phi * radius_now_;
+  return contraction > 0 && !iteration_.paper_control ? 0.9 / contraction
+                                                      : std::numeric_limits<double>::infinity();
+}
+
+Trial TrapezoidalFixedPoint::not_converged(double h, double factor) const {
+  const double contraction = settings_.phi * h * radius_now_;
+  if (contraction >= 1)
+    return {.solved = false,
+            .factor = factor,
+            .reason = fmt::format("phi h rho = {:.3g} >= 1 with rho = {:.4g} 1/s: the fixed-point iteration "
+                                  "cannot contract; take a step below {:.3g} s, or solver=klu or pcg",
+                                  contraction, radius_now_, 1 / (settings_.phi * radius_now_))};
+  return {
+      .solved = false,
+      .factor = factor,
+      .reason = fmt::format("not converged to {:.3g} in {} iterations; allow more iterations, or leave the "
+                            "step to the method",
+                            settings_.rtol, iteration_.iterations)};
+}
+
+Trial TrapezoidalFixedPoint::attempt(const Step& step, StateVector& state, StateVector& next) {
   const auto& reduction = rhs_->reduction();
-  const double phi = settings_.rule.phi, p = settings_.power;
-  for_each_entry(iterate_.size(), [&](std::size_t i) { iterate_[i] = state_[i] + h * derivative_[i]; });
+  const double h = step.h(), phi = settings_.phi, p = iteration_.power, t_next = step.ends.front();
+  if (settings_.fixed_step > 0) radius_now_ = radius_.at(step.t, state);
+  // Under error control the iteration ends well within what the step may err by; alone it rules by itself.
+  const bool rules = iteration_.paper_control || settings_.fixed_step > 0;
+  const double wanted = rules ? settings_.rtol : 1e-2 * share();
+  StateVector &iterate = next, &before = base_;
+  for_each_entry(iterate.size(), [&](std::size_t i) { iterate[i] = state[i] + h * slope_[i]; });
   double first_error = 0;
-  for (int k = 1; k <= settings_.iterations; ++k) {
-    std::swap(iterate_, iterate_before_);
-    if (track_inflow_) inflow_rate_ = rhs_->inflow(t_ + h, iterate_before_);
-    rhs_->stage(t_ + h,
-                {.y1 = iterate_before_.data(),
+  for (int k = 1; k <= iteration_.iterations; ++k) {
+    std::swap(iterate, before);
+    rhs_->stage(t_next,
+                {.y1 = before.data(),
                  .a = 0,
                  .d = phi * h,
-                 .y2 = state_.data(),
+                 .y2 = state.data(),
                  .b = 1,
-                 .y0 = state_.data(),
+                 .y0 = state.data(),
                  .c = 0,
-                 .f0 = derivative_.data(),
+                 .f0 = slope_.data(),
                  .e = (1 - phi) * h},
-                iterate_);
-    statistics_.max_stages = std::max(statistics_.max_stages, k);
-    const double change =
-        reduction.sum([&](std::size_t i) { return std::abs(iterate_[i] - iterate_before_[i]); });
-    const double moved = reduction.sum([&](std::size_t i) { return std::abs(iterate_[i] - state_[i]); });
-    if (!std::isfinite(change)) return {false, smallest_factor};
-    const double error = moved > 0 ? change / moved : 0;
-    if (k == 1) first_error = error;
-    const bool converged = error <= settings_.rule.rtol;
-    if (!converged && k < settings_.iterations) continue;
-    if (first_error == 0 || error == 0) return {converged, largest_factor};
-    const double lambda = std::pow(settings_.rule.rtol / first_error, 1 / (p * settings_.iterations)) /
-                          std::pow(error / first_error, 1 / (p * k));
-    // After one iteration the observed contraction is unknown (w_K = w_0); the formula still asks for K_d
-    // iterations.
-    return {converged,
-            std::clamp(lambda, smallest_factor, converged ? largest_factor : largest_rejected_factor)};
-  }
-  return {};
-}
-
-void TrapezoidalFixedPoint::accept(double t_next) {
-  const double h = t_next - t_, phi = settings_.rule.phi;
-  if (track_inflow_) statistics_.inflow += h * (phi * inflow_rate_ + (1 - phi) * rhs_->inflow(t_, state_));
-  std::swap(state_, iterate_);
-  t_ = t_next;
-  (*rhs_)(t_, state_, derivative_);
-  ++statistics_.steps;
-  recorder_.record(t_, state_);
-}
-
-Outcome TrapezoidalFixedPoint::hopeless(double h) const {
-  return {
-      Status::failed,
-      fmt::format(
-          "phi h rho = {:.3g} >= 1 for h = {:.3g} s and rho = {:.4g} 1/s: the fixed-point iteration cannot "
-          "contract; take a step below {:.3g} s, or solver=klu or pcg",
-          settings_.rule.phi * h * radius_, h, radius_, 1 / (settings_.rule.phi * radius_))};
-}
-
-Outcome TrapezoidalFixedPoint::advance(double t_out) {
-  const double fixed = settings_.rule.fixed_step;
-  const double longest = fixed > 0 ? fixed : t_end_;
-  if (fixed > 0) step_ = fixed;
-  int rejected_in_a_row = 0;
-  while (t_ < t_out) {
-    const double remaining = t_out - t_;
-    const double h = step_ >= remaining * (1 - 1e-12) ? remaining : step_;
-    const Iteration result = iterate(h);
-    if (guard_.stop_requested(t_)) return interrupted_at(t_);
-    if (!result.converged) {
-      ++statistics_.rejected;
-      if (fixed > 0) {
-        if (settings_.rule.phi * h * radius_ >= 1) return hopeless(h);
-        return {Status::failed,
-                fmt::format("not converged to {:.3g} in {} iterations at the fixed step {:.3g} s; allow "
-                            "more iterations, or leave the step to the method",
-                            settings_.rule.rtol, settings_.iterations, h)};
-      }
-      step_ = h * result.factor;
-      constexpr int most_rejections = 60;
-      if (++rejected_in_a_row > most_rejections || t_ + step_ <= t_)
-        return {Status::failed,
-                fmt::format("the step shrank to {:.3g} s at t = {:.6g} s and still does not converge; "
-                            "the iteration stagnates above the tolerance {:.3g}",
-                            step_, t_, settings_.rule.rtol)};
-      continue;
+                iterate);
+    most_iterations_ = std::max(most_iterations_, k);
+    const auto change_at = [&](std::size_t i) { return iterate[i] - before[i]; };
+    double error = 0;
+    if (rules) {
+      const double change = reduction.sum([&](std::size_t i) { return std::abs(change_at(i)); });
+      const double moved = reduction.sum([&](std::size_t i) { return std::abs(iterate[i] - state[i]); });
+      if (!std::isfinite(change)) return not_converged(h, smallest_factor);
+      error = moved > 0 ? change / moved : 0;
+    } else {
+      error = norm_.of(change_at);
+      if (!std::isfinite(error)) return not_converged(h, smallest_factor);
     }
-    rejected_in_a_row = 0;
-    accept(h == remaining ? t_out : t_ + h);
-    const double wanted = std::min(longest, h * result.factor);
-    if (fixed == 0) step_ = h < step_ ? std::max(step_, wanted) : wanted;
-    if (Outcome outcome = guard_.check(t_, state_); !outcome.ok()) return outcome;
+    if (k == 1) first_error = error;
+    const bool converged = error <= wanted;
+    if (!converged && k < iteration_.iterations) continue;
+    double factor = largest_factor;
+    if (first_error > 0 && error > 0) {
+      // After one iteration the contraction is unknown (w_K = w_0); the formula still asks for K_d
+      // iterations.
+      const double lambda = std::pow(wanted / first_error, 1 / (p * iteration_.iterations)) /
+                            std::pow(error / first_error, 1 / (p * k));
+      factor = std::clamp(lambda, smallest_factor, converged ? largest_factor : largest_rejected_factor);
+    }
+    if (!converged) return not_converged(h, factor);
+    (*rhs_)(t_next, iterate, next_slope_);
+    return {.error = rules ? 0 : milne_error(h, state, iterate), .factor = factor};
   }
-  return guard_.check(t_, state_);
+  return not_converged(h, smallest_factor);
+}
+
+void TrapezoidalFixedPoint::add_counts(Statistics& statistics) const {
+  statistics.max_stages = std::max(statistics.max_stages, most_iterations_);
 }
 
 }  // namespace superstep

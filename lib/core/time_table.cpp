@@ -52,6 +52,17 @@ std::pair<double, double> TimeTable::range(double t0, double t1) const noexcept 
   return out;
 }
 
+TimeTable::Line TimeTable::line(double begin, double end) const noexcept {
+  // The middle lies in the right interval even where a knot and `begin` differ by rounding.
+  const double middle = begin + 0.5 * (end - begin);
+  const auto after = std::upper_bound(time.begin(), time.end(), middle);
+  if (after == time.begin()) return {value.front(), 0};
+  if (after == time.end()) return {value.back(), 0};
+  const auto k = static_cast<std::size_t>(after - time.begin());
+  const double slope = (value[k] - value[k - 1]) / (time[k] - time[k - 1]);
+  return {value[k - 1] + slope * (begin - time[k - 1]), slope};
+}
+
 double TimeTable::lowest() const noexcept {
   return *std::min_element(value.begin(), value.end());
 }

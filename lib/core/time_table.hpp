@@ -13,6 +13,12 @@ struct TimeTable {
 
   /// Value at t, at a step the one after it; before the first and after the last instant the end values hold.
   [[nodiscard]] double at(double t) const noexcept;
+  /// The line that the table is between `begin` and `end`, two instants with no knot between them: its value
+  /// at `begin` as seen from there on, and its slope.
+  struct Line {
+    double value = 0, slope = 0;
+  };
+  [[nodiscard]] Line line(double begin, double end) const noexcept;
   /// Limit from the left: as `at`, but at a step the value before it.
   [[nodiscard]] double before(double t) const noexcept;
   /// Integral from t0 to t1 [s times the unit of the values], exact up to rounding; negative where t1 < t0.

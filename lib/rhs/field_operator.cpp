@@ -29,10 +29,6 @@ std::span<const Entry> in_rows(const std::vector<Entry>& sorted, std::size_t fir
   return {from(first), from(last)};
 }
 
-double largest_magnitude(const TimeTable& table) noexcept {
-  return std::max(std::abs(table.lowest()), std::abs(table.highest()));
-}
-
 }  // namespace
 
 SpectralBounds spectral_bounds(const Network& network) {
@@ -53,25 +49,15 @@ SpectralBounds spectral_bounds(const Network& network) {
 FieldOperator::FieldOperator(Network network)
     : network_(std::move(network)),
       rate_(network_.row_begin, network_.column),
-      ghost_value_(network_.ghost_value) {
+      ghost_value_(network_.ghost_value),
+      inputs_(network_.tables) {
   set_conductances(network_.conductance, {});
-  std::vector<double> largest_rate(size(), 0.0);
-  for (std::size_t i = 0; i < size(); ++i) {
-    total_capacity_ += network_.capacity[i];
-    if (network_.source[i] == 0) continue;
-    sources_.push_back({static_cast<std::int32_t>(i), network_.source[i] / network_.capacity[i]});
-    largest_rate[i] += std::abs(sources_.back().rate);
-    total_source_ += network_.source[i];
-  }
+  for (std::size_t i = 0; i < size(); ++i)
+    if (network_.source[i] != 0)
+      sources_.push_back({static_cast<std::int32_t>(i), network_.source[i] / network_.capacity[i]});
   for (const auto& source : network_.tabled_sources) tabled_.push_back({source.node, source.table});
   std::stable_sort(tabled_.begin(), tabled_.end(),
                    [](const TabledRate& a, const TabledRate& b) { return a.row < b.row; });
-  for (const auto& source : network_.tabled_sources) {
-    const double largest = largest_magnitude(network_.tables[at(source.table)]);
-    largest_rate[at(source.node)] += largest / network_.capacity[at(source.node)];
-    total_source_ += largest;
-  }
-  for (const double rate : largest_rate) source_rate_ = std::max(source_rate_, rate);
   constant_ghosts_ = std::all_of(network_.ghost_table.begin(), network_.ghost_table.end(),
                                  [](std::int32_t table) { return table < 0; });
   constant_inputs_ = network_.inputs_are_constant();
@@ -79,6 +65,7 @@ FieldOperator::FieldOperator(Network network)
     radiation_.push_back({exchange.node, exchange.table,
                           exchange.coefficient / network_.capacity[at(exchange.node)],
                           fourth_power(exchange.ambient)});
+  find_facts();
 }
 
 void FieldOperator::set_conductances(std::span<const double> edges, std::span<const double> ghost_edges) {
@@ -94,17 +81,27 @@ void FieldOperator::set_conductances(std::span<const double> edges, std::span<co
 }
 
 std::span<const double> FieldOperator::ghost_values(double t) {
-  if (!constant_ghosts_ && t != ghost_time_) {
+  if (!constant_ghosts_ && (t != ghost_time_ || !ghosts_are_current_)) {
     for (std::size_t g = 0; g < ghost_value_.size(); ++g)
-      if (const auto table = network_.ghost_table[g]; table >= 0)
-        ghost_value_[g] = network_.tables[at(table)].at(t);
+      if (const auto table = network_.ghost_table[g]; table >= 0) ghost_value_[g] = inputs_.at(at(table), t);
     ghost_time_ = t;
+    ghosts_are_current_ = true;
   }
   return ghost_value_;
 }
 
+void FieldOperator::enter(double begin, double end) noexcept {
+  inputs_.enter(begin, end);
+  ghosts_are_current_ = false;
+}
+
+void FieldOperator::leave() noexcept {
+  inputs_.leave();
+  ghosts_are_current_ = false;
+}
+
 double FieldOperator::ambient4(const RadiationRate& radiation, double t) const noexcept {
-  return radiation.table < 0 ? radiation.ambient4 : fourth_power(network_.tables[at(radiation.table)].at(t));
+  return radiation.table < 0 ? radiation.ambient4 : fourth_power(inputs_.at(at(radiation.table), t));
 }
 
 void FieldOperator::add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last,
@@ -113,8 +110,7 @@ void FieldOperator::add_inputs(double t, const Stage& stage, std::size_t first, 
     out[at(ghost.row)] += stage.d * ghost.rate * (ghost_value_[at(ghost.ghost)] - stage.y1[ghost.row]);
   for (const auto& source : in_rows(sources_, first, last)) out[at(source.row)] += stage.d * source.rate;
   for (const auto& source : in_rows(tabled_, first, last))
-    out[at(source.row)] +=
-        stage.d * network_.tables[at(source.table)].at(t) / network_.capacity[at(source.row)];
+    out[at(source.row)] += stage.d * inputs_.at(at(source.table), t) / network_.capacity[at(source.row)];
   for (const auto& radiation : in_rows(radiation_, first, last))
     out[at(radiation.row)] +=
         stage.d * radiation.rate * (ambient4(radiation, t) - fourth_power(stage.y1[radiation.row]));
@@ -158,7 +154,7 @@ void FieldOperator::add_inflow(double t, const double* y, std::size_t first, std
 double FieldOperator::total_inflow(double t, const RowInflow& sum) const {
   double supplied = 0;
   for (const auto& source : sources_) supplied += source.rate * network_.capacity[at(source.row)];
-  for (const auto& source : tabled_) supplied += network_.tables[at(source.table)].at(t);
+  for (const auto& source : tabled_) supplied += inputs_.at(at(source.table), t);
   return sum.exchanged + supplied + sum.radiated;
 }
 

@@ -9,6 +9,7 @@
 #include "rhs/rhs.hpp"
 #include "rhs/skewed_passes.hpp"
 #include "rhs/sliced_rows.hpp"
+#include "rhs/tabled_inputs.hpp"
 
 namespace superstep {
 
@@ -19,6 +20,10 @@ struct SpectralBounds {
   [[nodiscard]] double smallest() const noexcept { return edge < gershgorin ? edge : gershgorin; }
 };
 [[nodiscard]] SpectralBounds spectral_bounds(const Network& network);
+
+/// Adds a breakpoint for every knot of a table.
+///   weight  rms rate of change per unit of the table;  field  its number in the right-hand side
+void add_knots(const TimeTable& table, double weight, std::size_t field, std::vector<Breakpoint>& points);
 
 class FieldOperator {
  public:
@@ -47,11 +52,14 @@ class FieldOperator {
   [[nodiscard]] double inflow(double t, std::span<const double> y);
   /// Derivative of `inflow` along v, without radiation.
   [[nodiscard]] double conduction_inflow(std::span<const double> v) const;
-  /// Largest |rate| that sources alone can cause at a node [K/s or V/s].
-  [[nodiscard]] double largest_source_rate() const noexcept { return source_rate_; }
-  /// Sum of all sources [W or A], of tables their largest magnitude.
-  [[nodiscard]] double total_source() const noexcept { return total_source_; }
-  [[nodiscard]] double total_capacity() const noexcept { return total_capacity_; }
+  [[nodiscard]] const FieldFacts& facts() const noexcept { return facts_; }
+  /// Adds a breakpoint for every knot of a table that acts on the field.
+  ///   field  its number among those of the right-hand side
+  void add_breakpoints(std::size_t field, std::vector<Breakpoint>& points) const;
+  /// See Rhs::enter and Rhs::leave.
+  void enter(double begin, double end) noexcept;
+  void leave() noexcept;
+  [[nodiscard]] const TabledInputs& inputs() const noexcept { return inputs_; }
   /// Largest slope of radiation, 4 r_i |y_i|^3/C_i [1/s].
   [[nodiscard]] double radiation_slope(std::span<const double> y) const noexcept;
 
@@ -94,6 +102,7 @@ class FieldOperator {
                     double* out) const noexcept;
   void add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last, double* out) const;
 
+  void find_facts();
   [[nodiscard]] SkewedBlocks chain_blocks() const noexcept;
   void pass_together(std::span<ChainedStage> stages, std::size_t first_stage, bool with_inflow,
                      std::span<const double> drive, ChainObserver* observer);
@@ -102,6 +111,8 @@ class FieldOperator {
   SlicedRows rate_;  ///< K_ij/C_i [1/s]
   std::vector<GhostRate> ghosts_;
   std::vector<double> ghost_value_;  ///< [g] at `ghost_time_`
+  TabledInputs inputs_;
+  FieldFacts facts_;
   std::vector<SourceRate> sources_;
   std::vector<TabledRate> tabled_;
   std::vector<RadiationRate> radiation_;
@@ -109,7 +120,8 @@ class FieldOperator {
   // Half of the last cache of common processors. More than there is costs little: what does not fit comes
   // from memory as it would have without.
   std::size_t cache_bytes_ = std::size_t{12} << 20;
-  double ghost_time_ = 0, source_rate_ = 0, total_source_ = 0, total_capacity_ = 0;
+  double ghost_time_ = 0;
+  bool ghosts_are_current_ = true;
 };
 
 template <class Add>

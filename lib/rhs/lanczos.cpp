@@ -84,7 +84,6 @@ SpectralEstimate estimate_spectral_radius(Rhs& rhs, const LanczosLimits& limits)
   SpectralEstimate out;
   const auto fields = rhs.fields();
   for (std::size_t f = 0; f < fields.size(); ++f) {
-    if (!rhs.steps(f)) continue;
     const auto minus_block = [&](std::span<const double> v, std::span<double> product) {
       rhs.block_product(f, v, product);
       for (double& entry : product) entry = -entry;

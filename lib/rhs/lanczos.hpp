@@ -29,7 +29,7 @@ using Operator = std::function<void(std::span<const double> v, std::span<double>
 [[nodiscard]] SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const double> capacity,
                                                   const LanczosLimits& limits = {});
 
-/// Spectral radius of the constant blocks of J [1/s], the largest among the fields that are stepped; one
+/// Spectral radius of the constant blocks of J [1/s], the largest among the fields; one
 /// sweep a product.
 [[nodiscard]] SpectralEstimate estimate_spectral_radius(Rhs& rhs, const LanczosLimits& limits = {});
 

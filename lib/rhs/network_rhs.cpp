@@ -18,17 +18,26 @@ NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit
     : Rhs(network.size(), traits_of(network),
           {FieldView{std::move(field_name), std::move(unit), 0, 1, network.size()}}),
       field_(std::make_shared<FieldOperator>(std::move(network))),
-      pair_step_(pair_step),
-      bound_(spectral_bounds(field_->network()).smallest()) {}
+      bound_(spectral_bounds(field_->network()).smallest()) {
+  find_facts(pair_step);
+}
 
 NetworkRhs::NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_name, std::string unit,
                        double pair_step, RhsCounters& counters)
     : Rhs(field->size(), traits_of(field->network()),
           {FieldView{std::move(field_name), std::move(unit), 0, 1, field->size()}}),
       field_(std::move(field)),
-      pair_step_(pair_step),
       bound_(spectral_bounds(field_->network()).smallest()) {
   count_into(counters);
+  find_facts(pair_step);
+}
+
+void NetworkRhs::find_facts(double pair_step) {
+  facts_.pair_step = pair_step;
+  facts_.radiates = !network().radiation.empty();
+  facts_.fields = {field_->facts()};
+  field_->add_breakpoints(0, facts_.breakpoints);
+  merge_breakpoints(facts_.breakpoints);
 }
 
 void NetworkRhs::do_stage(double t, const Stage& stage, std::span<double> out) {
@@ -75,10 +84,6 @@ double NetworkRhs::spectral_bound(double t, std::span<const double> y) {
 
 double NetworkRhs::radius_beyond_blocks(double /*t*/, std::span<const double> y) const {
   return field_->radiation_slope(y);
-}
-
-double NetworkRhs::mean_source_rate(std::size_t /*field*/) {
-  return field_->total_capacity() > 0 ? field_->total_source() / field_->total_capacity() : 0;
 }
 
 }  // namespace superstep

@@ -19,17 +19,15 @@ class NetworkRhs final : public Rhs {
              RhsCounters& counters);
 
   [[nodiscard]] double spectral_bound(double t, std::span<const double> y) override;
-  [[nodiscard]] double pair_step_without_interface() const override { return pair_step_; }
   [[nodiscard]] std::span<const double> capacities() const noexcept override { return network().capacity; }
   [[nodiscard]] double inflow(double t, std::span<const double> y) override;
   [[nodiscard]] double linear_inflow(std::span<const double> v) const override {
     return field_->conduction_inflow(v);
   }
-  [[nodiscard]] double source_rate(std::size_t /*field*/) const override {
-    return field_->largest_source_rate();
-  }
-  [[nodiscard]] double mean_source_rate(std::size_t /*field*/) override;
   [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
+
+  void enter(double begin, double end) override { field_->enter(begin, end); }
+  void leave() override { field_->leave(); }
 
   [[nodiscard]] const Network& network() const noexcept { return field_->network(); }
   /// See FieldOperator::assume_cache.
@@ -46,11 +44,12 @@ class NetworkRhs final : public Rhs {
   [[nodiscard]] SparsePattern build_pattern() override;
 
   [[nodiscard]] double drive_inflow() const noexcept;
+  void find_facts(double pair_step);
 
   std::shared_ptr<FieldOperator> field_;
   std::span<const double> drive_;
   JacobianAssembly assembly_;
-  double pair_step_, bound_;
+  double bound_;
 };
 
 }  // namespace superstep

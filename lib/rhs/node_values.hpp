@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/time_table.hpp"
+#include "rhs/tabled_inputs.hpp"
 
 namespace superstep {
 
@@ -26,12 +26,14 @@ class NodeValues {
   /// Values on the slots [nodes] for a state of this field at time t.
   [[nodiscard]] std::span<const double> on_slots(double t, const double* state);
   [[nodiscard]] std::int32_t slot_of_row(std::size_t row) const noexcept { return slot_of_row_[row]; }
-  [[nodiscard]] std::size_t slots() const noexcept { return value_.size(); }
+  /// See Rhs::enter and Rhs::leave.
+  void enter(double begin, double end) noexcept { inputs_.enter(begin, end); }
+  void leave() noexcept { inputs_.leave(); }
 
  private:
   std::vector<std::int32_t> slot_of_row_;
   std::vector<KnownValue> changing_;
-  std::vector<TimeTable> tables_;
+  TabledInputs inputs_;
   std::vector<double> value_;
 };
 

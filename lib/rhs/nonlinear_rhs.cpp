@@ -95,21 +95,6 @@ const T* pointer_to(const std::optional<T>& value) noexcept {
   return value ? &*value : nullptr;
 }
 
-/// out = a*y1 + b*y2 + c*y0 on entries that are no longer stepped: their f is 0.
-void combine(const Stage& stage, std::span<double> out) noexcept {
-  for_each_entry(out.size(), [&](std::size_t i) {
-    double value = stage.a * stage.y1[i];
-    if (stage.y2) value += stage.b * stage.y2[i];
-    if (stage.y0) value += stage.c * stage.y0[i];
-    out[i] = value;
-  });
-}
-
-double rms_distance(const Reduction& reduction, std::span<const double> a, std::span<const double> b) {
-  const double sum = reduction.sum([&](std::size_t i) { return (a[i] - b[i]) * (a[i] - b[i]); });
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, reduction.size())));
-}
-
 Stage shifted(const Stage& stage, std::size_t offset) noexcept {
   Stage out = stage;
   out.y1 += offset;
@@ -128,8 +113,6 @@ bool FieldInput::varies() const noexcept {
 
 NonlinearRhs::NonlinearRhs(NonlinearInput input)
     : Rhs(size_of(input), traits_of(input), views_of(input)),
-      pair_step_(input.temperature.pair_step),
-      settle_tolerance_(input.settle_tolerance),
       temperature_offset_(potential_in_state(input) ? input.potential->network.size() : 0),
       slot_of_node_(number_slots(input.temperature.network)),
       id_(input.temperature.id),
@@ -148,21 +131,17 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
   joule_rate_.assign(thermal_->size(), 0.0);
   own_sum_.reserve(size());
   cross_sum_.reserve(size());
-  if (!input.potential) return;
+  if (!input.potential) {
+    find_facts(input);
+    return;
+  }
 
   const FieldInput& potential = *input.potential;
-  potential_span_ = potential.high - potential.low;
   const auto reference = reference_conductivity(potential, slot_of_node_);
   if (potential.varies()) electric_conductivity_.emplace(conductivity_on_slots(potential, slot_of_node_));
   if (input.joule) {
     joule_.emplace(*input.joule, slot_of_node_, thermal_->size(), thermal_->network().capacity, reference,
                    potential.laws.mean);
-    const bool sourced = std::any_of(potential.network.source.begin(), potential.network.source.end(),
-                                     [](double source) { return source != 0; }) ||
-                         !potential.network.tabled_sources.empty();
-    const double rise = electric_conductivity_ ? electric_conductivity_->largest_rise() : 1;
-    largest_joule_rate_ =
-        sourced ? std::numeric_limits<double>::infinity() : rise * joule_->largest_rate(potential_span_);
   }
   auto values = values_on_slots(potential, slot_of_node_);
   if (input.steady_potential) {
@@ -170,9 +149,9 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
     if (electric_conductivity_)
       steady_->vary(*electric_conductivity_, reference, slot_of_node_, input.resolve_change);
     mutable_counters().potential_solves += steady_->solves();
+    find_facts(input);
     return;
   }
-  pair_step_ = std::min(pair_step_, potential.pair_step);
   potential_slots_.emplace(std::move(values));
   electric_ = std::make_shared<FieldOperator>(potential.network);
   if (electric_conductivity_)
@@ -182,19 +161,15 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
   row_of_potential_slot_.assign(slot_of_node_.size(), -1);
   for (std::size_t row = 0; row < electric_->size(); ++row)
     row_of_potential_slot_[at(potential_slots_->slot_of_row(row))] = static_cast<std::int32_t>(row);
-  seen_potential_.reserve(electric_->size());
   driver_ =
       std::make_unique<NetworkRhs>(electric_, "potential", "V", potential.pair_step, mutable_counters());
   driven_ = std::make_unique<NetworkRhs>(thermal_, "temperature", "K", input.temperature.pair_step,
                                          mutable_counters());
+  find_facts(input);
 }
 
 const FieldOperator& NonlinearRhs::field_operator(std::size_t field) const noexcept {
   return steps_potential() && field == 0 ? *electric_ : *thermal_;
-}
-
-double NonlinearRhs::pair_step_without_interface() const {
-  return pair_step_;
 }
 
 void NonlinearRhs::update_conductances(double t, const double* temperature) {
@@ -210,7 +185,7 @@ void NonlinearRhs::update_conductances(double t, const double* temperature) {
 }
 
 void NonlinearRhs::update_joule(double t, const double* y) {
-  if (!joule_ || settled_) return;
+  if (!joule_) return;
   const auto* conductivity = pointer_to(electric_conductivity_);
   std::span<const double> potential;
   if (steady_) {
@@ -231,8 +206,7 @@ void NonlinearRhs::do_stage(double t, const Stage& stage, std::span<double> out)
   const auto temperature_out = out.subspan(temperature_offset_);
   update_conductances(t, stage.y1 + temperature_offset_);
   update_joule(t, stage.y1);
-  if (steps_potential() && settled_) combine(stage, potential_out);
-  if (steps_potential() && !settled_) electric_->stage(t, stage, potential_out.data());
+  if (steps_potential()) electric_->stage(t, stage, potential_out.data());
   thermal_->stage(t, shifted(stage, temperature_offset_), temperature_out.data());
   if (!joule_) return;
   for_each_entry(temperature_out.size(),
@@ -301,7 +275,7 @@ void NonlinearRhs::do_jacobian(double t, std::span<const double> y, std::span<do
 double NonlinearRhs::spectral_bound(double t, std::span<const double> y) {
   if (varies()) return scaled_gershgorin(t, y);
   const double thermal = thermal_bound_ + radius_beyond_blocks(t, y);
-  return steps_potential() && !settled_ ? std::max(thermal, electric_bound_) : thermal;
+  return steps_potential() ? std::max(thermal, electric_bound_) : thermal;
 }
 
 double NonlinearRhs::radius_beyond_blocks(double /*t*/, std::span<const double> y) const {
@@ -354,35 +328,6 @@ double NonlinearRhs::linear_inflow(std::span<const double> v) const {
   return thermal_->conduction_inflow(temperature_of(v));
 }
 
-double NonlinearRhs::source_rate(std::size_t field) const {
-  const bool potential = steps_potential() && field == 0;
-  return field_operator(field).largest_source_rate() + (potential ? 0 : largest_joule_rate_);
-}
-
-double NonlinearRhs::mean_source_rate(std::size_t field) {
-  const auto& own = field_operator(field);
-  const double sources = own.total_capacity() > 0 ? own.total_source() / own.total_capacity() : 0;
-  if (!joule_ || (steps_potential() && field == 0)) return sources;
-  if (!mean_joule_rate_) mean_joule_rate_ = find_mean_joule_rate();
-  return sources + *mean_joule_rate_;
-}
-
-/// Heat of the steady potential, spread over the whole capacity. The heat is least for the true potential,
-/// so that a rough one serves.
-double NonlinearRhs::find_mean_joule_rate() {
-  std::vector<double> rate(thermal_->size());
-  if (steady_) {
-    joule_->rate(steady_->on_slots(0, pointer_to(electric_conductivity_)), rate);
-  } else {
-    constexpr double residual = 1e-2;
-    const auto potential = approximate_steady_state(electric_->network(), residual);
-    joule_->rate(potential_slots_->on_slots(0, potential.data()), rate);
-  }
-  double heat = 0;
-  for (std::size_t i = 0; i < rate.size(); ++i) heat += thermal_->network().capacity[i] * rate[i];
-  return thermal_->total_capacity() > 0 ? heat / thermal_->total_capacity() : 0;
-}
-
 std::optional<std::string> NonlinearRhs::law_violation(std::span<const double> y) {
   const auto temperature = temperature_of(y);  // its rows are the first slots
   for (const auto* conductivity : {pointer_to(thermal_conductivity_), pointer_to(electric_conductivity_)}) {
@@ -416,35 +361,25 @@ void NonlinearRhs::drive(std::span<const double> rate) {
   static_cast<NetworkRhs&>(*driven_).drive(rate);
 }
 
-bool NonlinearRhs::settle(double t, std::span<const double> y, double accuracy) {
-  const bool possible = settle_tolerance_ > 0 && one_way() && electric_->network().inputs_are_constant();
-  if (!possible || settled_ || t < next_look_) return false;
-  const auto potential = y.first(temperature_offset_);
-  const double allowed = std::max(settle_tolerance_, accuracy) * potential_span_;
-  if (next_look_ == 0 || !(rms_distance(driver_->reduction(), potential, seen_potential_) <= allowed)) {
-    // It still moves between looks: come back after a tenth of the time that has gone by.
-    seen_potential_.assign(potential.begin(), potential.end());
-    next_look_ = 1.1 * t;
-    return false;
-  }
-  if (final_potential_.empty())
-    final_potential_ = approximate_steady_state(electric_->network(), 1e-2 * settle_tolerance_);
-  next_look_ = 1.1 * t;
-  if (!(rms_distance(driver_->reduction(), potential, final_potential_) <= allowed)) return false;
-  update_joule(t, y.data());
-  settled_ = true;
-  settled_at_ = t;
-  networks_swept_ = 1;
-  ++values_version_;
-  return true;
+std::vector<double> NonlinearRhs::steady_driver(double residual) {
+  if (!electric_->network().inputs_are_constant()) return {};
+  return approximate_steady_state(electric_->network(), residual);
 }
 
-void NonlinearRhs::restart(double /*t*/) {
-  next_look_ = 0;
-  if (!settled_) return;
-  settled_ = false;
-  networks_swept_ = 2;
-  ++values_version_;
+void NonlinearRhs::enter(double begin, double end) {
+  thermal_->enter(begin, end);
+  temperature_slots_->enter(begin, end);
+  if (electric_) electric_->enter(begin, end);
+  if (potential_slots_) potential_slots_->enter(begin, end);
+  if (steady_) steady_->enter(begin, end);
+}
+
+void NonlinearRhs::leave() {
+  thermal_->leave();
+  temperature_slots_->leave();
+  if (electric_) electric_->leave();
+  if (potential_slots_) potential_slots_->leave();
+  if (steady_) steady_->leave();
 }
 
 std::span<const double> NonlinearRhs::steady_potential(double t, std::span<const double> temperature) {

@@ -32,7 +32,6 @@ struct NonlinearInput {
   bool steady_potential = false;  ///< solved for, not part of the state
   double resolve_change = 1e-6;   ///< steady: relative change of a conductivity that asks for a new solve
   const Graph* joule = nullptr;   ///< electric graph whose branches heat; null = they do not
-  double settle_tolerance = 0;    ///< of the potential's span; 0 = the potential is stepped to the end
 };
 
 class NonlinearRhs final : public Rhs, public OneWayCoupling {
@@ -41,28 +40,21 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
 
   [[nodiscard]] double spectral_bound(double t, std::span<const double> y) override;
   [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
-  [[nodiscard]] double pair_step_without_interface() const override;
   [[nodiscard]] std::span<const double> capacities() const noexcept override { return capacity_; }
   [[nodiscard]] double inflow(double t, std::span<const double> y) override;
   [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
-  [[nodiscard]] double source_rate(std::size_t field) const override;
-  [[nodiscard]] double mean_source_rate(std::size_t field) override;
   [[nodiscard]] std::optional<std::string> law_violation(std::span<const double> y) override;
   [[nodiscard]] OneWayCoupling* one_way() override;
-  bool settle(double t, std::span<const double> y, double accuracy) override;
-  void restart(double t) override;
+  void enter(double begin, double end) override;
+  void leave() override;
 
   // OneWayCoupling
   [[nodiscard]] Rhs& driver() override;
   [[nodiscard]] Rhs& driven() override;
   void rate(double t, std::span<const double> v, std::span<double> rate) override;
   void drive(std::span<const double> rate) override;
+  [[nodiscard]] std::vector<double> steady_driver(double residual) override;
 
-  [[nodiscard]] bool steps(std::size_t field) const noexcept override { return !(settled_ && field == 0); }
-  /// Time since which the potential is not stepped any more; nothing while it is.
-  [[nodiscard]] std::optional<double> settled_at() const noexcept override {
-    return settled_ ? std::optional(settled_at_) : std::nullopt;
-  }
   /// Steady scenes: potentials on the rows of the electric network for a state (the temperatures).
   [[nodiscard]] std::span<const double> steady_potential(double t, std::span<const double> temperature);
 
@@ -85,13 +77,12 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   template <class Add>
   void enumerate_jacobian(double t, std::span<const double> y, Add add);
   [[nodiscard]] double scaled_gershgorin(double t, std::span<const double> y);
-  [[nodiscard]] double find_mean_joule_rate();
+  void find_facts(const NonlinearInput& input);
+  void add_steady_breakpoints();
   [[nodiscard]] const FieldOperator& field_operator(std::size_t field) const noexcept;
 
-  double pair_step_, settle_tolerance_;
   std::size_t temperature_offset_;
   std::vector<double> capacity_;  ///< [state]
-  double potential_span_ = 0;
   std::vector<std::int32_t> slot_of_node_;
   std::vector<std::int64_t> id_;                       ///< [nodes] or empty
   std::shared_ptr<FieldOperator> thermal_, electric_;  ///< electric: null unless it is part of the state
@@ -102,14 +93,9 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   std::optional<JouleHeat> joule_;
   std::vector<std::int32_t> row_of_potential_slot_;  ///< [slots] -1 = not a row
   std::vector<double> own_sum_, cross_sum_;
-  std::vector<double> seen_potential_;   ///< at the last look for settling
-  std::vector<double> final_potential_;  ///< the steady one, worked out when it seems to be reached
-  std::vector<double> joule_rate_;       ///< [temperature rows] K/s
-  double settled_at_ = 0, next_look_ = 0;
+  std::vector<double> joule_rate_;                 ///< [temperature rows] K/s
   double thermal_bound_ = 0, electric_bound_ = 0;  ///< of constant conductances [1/s]
-  double largest_joule_rate_ = 0;
-  std::optional<double> mean_joule_rate_;  ///< worked out when somebody asks
-  bool settled_ = false, radiates_ = false;
+  bool radiates_ = false;
   std::unique_ptr<Rhs> driver_, driven_;
   JacobianAssembly assembly_;
 };

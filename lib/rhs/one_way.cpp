@@ -3,17 +3,16 @@
 namespace superstep {
 namespace {
 
-bool linear_with_constants(const Rhs& rhs) {
-  const auto& traits = rhs.traits();
-  return traits.linear && traits.symmetric && traits.autonomous;
+bool linear_and_symmetric(const Rhs& rhs) {
+  return rhs.traits().linear && rhs.traits().symmetric;
 }
 
 }  // namespace
 
 bool exactly_solvable(Rhs& rhs) {
-  if (linear_with_constants(rhs)) return true;
+  if (linear_and_symmetric(rhs)) return true;
   OneWayCoupling* halves = rhs.one_way();
-  return halves && linear_with_constants(halves->driver()) && linear_with_constants(halves->driven());
+  return halves && linear_and_symmetric(halves->driver()) && linear_and_symmetric(halves->driven());
 }
 
 }  // namespace superstep

@@ -2,6 +2,7 @@
 /// A scene whose first field drives the second through sources alone, seen as its two halves.
 
 #include <span>
+#include <vector>
 
 #include "rhs/rhs.hpp"
 
@@ -20,10 +21,12 @@ class OneWayCoupling {
   virtual void rate(double t, std::span<const double> v, std::span<double> rate) = 0;
   /// Adds `rate` to the driven half from now on; it must outlive its use. Empty = nothing.
   virtual void drive(std::span<const double> rate) = 0;
+  /// The state that the driver tends to, to `residual` of its own size; empty where its inputs change.
+  [[nodiscard]] virtual std::vector<double> steady_driver(double residual) = 0;
 };
 
-/// True when the matrix exponential gives the solution: the scene is linear with constant coefficients and
-/// inputs, or falls into two such halves.
+/// True when the matrix exponential gives the solution: the scene is linear with constant coefficients, or
+/// falls into two such halves.
 [[nodiscard]] bool exactly_solvable(Rhs& rhs);
 
 }  // namespace superstep

@@ -2,13 +2,13 @@
 /// The right-hand side that every integrator sees: dy/dt = f(t, y) on the owned (free) entries.
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/reduction.hpp"
+#include "rhs/rhs_facts.hpp"
 #include "rhs/sparse_pattern.hpp"
 #include "rhs/stage.hpp"
 
@@ -49,10 +49,7 @@ class Rhs {
   [[nodiscard]] std::size_t size() const noexcept { return reduction_.size(); }
   [[nodiscard]] const RhsTraits& traits() const noexcept { return traits_; }
   [[nodiscard]] std::span<const FieldView> fields() const noexcept { return fields_; }
-  /// Changes when conductances (values) or the graph (pattern) change; factorizations and estimates stand
-  /// while equal.
-  [[nodiscard]] std::uint64_t values_version() const noexcept { return values_version_; }
-  [[nodiscard]] std::uint64_t pattern_version() const noexcept { return pattern_version_; }
+  [[nodiscard]] const RhsFacts& facts() const noexcept { return facts_; }
   [[nodiscard]] const Reduction& reduction() const noexcept { return reduction_; }
   [[nodiscard]] const RhsCounters& counters() const noexcept { return *counters_; }
 
@@ -100,9 +97,6 @@ class Rhs {
   [[nodiscard]] virtual double radius_beyond_blocks(double /*t*/, std::span<const double> /*y*/) const {
     return 0;
   }
-  /// Pairwise critical step with particle contributions only, the one that the source paper's alpha refers to
-  /// [s].
-  [[nodiscard]] virtual double pair_step_without_interface() const = 0;
   /// Weights of the inner product in which J is symmetric [n]: the capacities.
   [[nodiscard]] virtual std::span<const double> capacities() const noexcept = 0;
   /// Net heat entering the temperature field at (t, y) [W], from outside and from Joule heat; charge [A]
@@ -110,11 +104,6 @@ class Rhs {
   [[nodiscard]] virtual double inflow(double t, std::span<const double> y) = 0;
   /// Derivative of `inflow` along a change v of a linear right-hand side.
   [[nodiscard]] virtual double linear_inflow(std::span<const double> v) const = 0;
-  /// Largest |rate| that sources alone can cause in a field [K/s or V/s]: how fast the maximum principle's
-  /// range may widen; infinity when nothing bounds it beforehand.
-  [[nodiscard]] virtual double source_rate(std::size_t field) const = 0;
-  /// Rate at which sources change the mean of a field [K/s or V/s]: a measure of its span to come.
-  [[nodiscard]] virtual double mean_source_rate(std::size_t field) = 0;
 
   /// Says which law a state goes beyond, at which node, and the way out; nothing where all hold. A trial
   /// state beyond is to be tried again smaller, an accepted one ends the run. Cheap where no law is limited.
@@ -125,17 +114,11 @@ class Rhs {
   /// The two halves of a scene in which one field drives the other through sources alone; null elsewhere.
   [[nodiscard]] virtual OneWayCoupling* one_way() { return nullptr; }
 
-  /// Looks whether a driving field has become steady within the scene's tolerance, or within the `accuracy`
-  /// of the method (relative to its span) if that is coarser. Returns true when it stops being stepped from
-  /// now on: its values stay, sweeps and the spectrum shrink, `values_version` changes. Cheap to call at any
-  /// step end.
-  virtual bool settle(double /*t*/, std::span<const double> /*y*/, double /*accuracy*/) { return false; }
-  /// False for a field that has settled.
-  [[nodiscard]] virtual bool steps(std::size_t /*field*/) const noexcept { return true; }
-  /// Time since which a field is not stepped any more [s]; nothing while all are.
-  [[nodiscard]] virtual std::optional<double> settled_at() const noexcept { return std::nullopt; }
-  /// Steps every field again, from t on. Integrators call it when they start.
-  virtual void restart(double /*t*/) {}
+  /// Takes the smooth piece of f between `begin` and `end`, two neighbouring breakpoints [s]: until the next
+  /// call every input is the line that it is there, for any t. Without it f is the whole function of time.
+  virtual void enter(double /*begin*/, double /*end*/) {}
+  /// Back to the whole function of time.
+  virtual void leave() {}
 
  protected:
   Rhs(std::size_t size, RhsTraits traits, std::vector<FieldView> fields)
@@ -143,7 +126,7 @@ class Rhs {
   Rhs(const Rhs&) = delete;
   Rhs& operator=(const Rhs&) = delete;
 
-  std::uint64_t values_version_ = 1, pattern_version_ = 1;
+  RhsFacts facts_;                    ///< set by the constructors of derived classes
   std::uint64_t networks_swept_ = 1;  ///< by one stage
   void count_into(RhsCounters& counters) noexcept { counters_ = &counters; }
   [[nodiscard]] RhsCounters& mutable_counters() noexcept { return *counters_; }

@@ -42,7 +42,7 @@ void SteadyPotential::solve_basis() {
     basis_[b] = solver_.solve(load);
     ++solves_;
   }
-  stands_ = false;
+  is_current_ = false;
 }
 
 bool SteadyPotential::moved(const SlotConductivity& conductivity) const noexcept {
@@ -59,15 +59,27 @@ std::span<const double> SteadyPotential::on_rows(double t, const SlotConductivit
     solve_basis();
     solved_for_.assign(conductivity->value().begin(), conductivity->value().end());
   }
-  if (stands_ && t == t_) return potential_;
+  if (is_current_ && t == t_) return potential_;
   potential_ = basis_[0];
   for (std::size_t b = 1; b < basis_.size(); ++b) {
-    const double value = field_.network().tables[b - 1].at(t);
+    const double value = field_.inputs().at(b - 1, t);
     for (std::size_t i = 0; i < potential_.size(); ++i) potential_[i] += value * basis_[b][i];
   }
-  stands_ = true;
+  is_current_ = true;
   t_ = t;
   return potential_;
+}
+
+void SteadyPotential::enter(double begin, double end) noexcept {
+  field_.enter(begin, end);
+  values_.enter(begin, end);
+  is_current_ = false;
+}
+
+void SteadyPotential::leave() noexcept {
+  field_.leave();
+  values_.leave();
+  is_current_ = false;
 }
 
 std::span<const double> SteadyPotential::on_slots(double t, const SlotConductivity* conductivity) {

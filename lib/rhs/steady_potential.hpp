@@ -26,7 +26,10 @@ class SteadyPotential {
   [[nodiscard]] std::span<const double> on_slots(double t, const SlotConductivity* conductivity);
   /// Potentials on the rows at time t [rows].
   [[nodiscard]] std::span<const double> on_rows(double t, const SlotConductivity* conductivity);
-  [[nodiscard]] const Network& network() const noexcept { return field_.network(); }
+  /// See Rhs::enter and Rhs::leave.
+  void enter(double begin, double end) noexcept;
+  void leave() noexcept;
+  [[nodiscard]] const std::vector<TimeTable>& tables() const noexcept { return field_.inputs().tables(); }
   [[nodiscard]] std::uint64_t solves() const noexcept { return solves_; }
 
  private:
@@ -42,7 +45,7 @@ class SteadyPotential {
   std::vector<std::vector<double>> basis_;  ///< [1 + tables][rows]
   std::vector<double> potential_;           ///< [rows]
   double t_ = 0;
-  bool stands_ = false;
+  bool is_current_ = false;
   std::uint64_t solves_ = 0;
 };
 

@@ -35,17 +35,18 @@ std::vector<char> apply_roles(RoleReport report, FieldScene& field) {
   return std::move(report.live);
 }
 
-/// Range of everything that the field starts from, is held at, or exchanges with.
-void set_range(FieldScene& field) {
+/// Range of everything that the field starts from, or is held at up to t_end.
+void set_range(double t_end, FieldScene& field) {
   bool first = true;
   const auto take = [&](double value) {
     field.low = first ? value : std::min(field.low, value);
     field.high = first ? value : std::max(field.high, value);
     first = false;
   };
-  const auto take_table = [&](std::int32_t table) {
-    take(field.graph.tables[at(table)].lowest());
-    take(field.graph.tables[at(table)].highest());
+  const auto take_table = [&](std::int32_t index) {
+    const auto [low, high] = field.graph.tables[at(index)].range(0, t_end);
+    take(low);
+    take(high);
   };
   const auto& graph = field.graph;
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
@@ -56,9 +57,6 @@ void set_range(FieldScene& field) {
     else
       take_table(graph.fixed_table[node]);
   }
-  for (const auto* exchanges : {&graph.convection, &graph.radiation})
-    for (const auto& exchange : *exchanges)
-      exchange.table < 0 ? take(exchange.ambient) : take_table(exchange.table);
 }
 
 /// Values of the nodes that are not rows of the network.
@@ -93,7 +91,7 @@ void append_initial(const FieldScene& field, const Network& network, Scene& scen
 
 void build_single(const std::string& where, FieldScene& field, Scene& scene) {
   apply_roles(assign_roles(field.graph, where), field);
-  set_range(field);
+  set_range(scene.t_end, field);
   field.view = 0;
   if (varies(field)) {
     NonlinearInput input;
@@ -139,7 +137,7 @@ void build_pair(const std::string& where, const Coupling& coupling, FieldScene& 
       electric.steady ? assign_steady_roles(electric.graph, where) : assign_roles(electric.graph, where),
       electric);
   if (!coupling.joule_heat) live.assign(live.size(), 0);
-  set_range(electric);
+  set_range(scene.t_end, electric);
   if (electric.steady && !varies(electric) && electric.graph.tables.empty()) {
     solve_once(electric, scene);
     if (coupling.joule_heat) add_constant_joule_heat(electric, scene.steady_potential, thermal.graph);
@@ -147,13 +145,13 @@ void build_pair(const std::string& where, const Coupling& coupling, FieldScene& 
     return;
   }
   apply_roles(assign_roles(thermal.graph, where, live), thermal);
-  set_range(thermal);
+  set_range(scene.t_end, thermal);
   NonlinearInput input;
   input.temperature = take_field(thermal);
   input.potential = take_field(electric);
   input.steady_potential = electric.steady;
   input.resolve_change = coupling.resolve_change;
-  input.settle_tolerance = coupling.settle_tolerance;
+  scene.settle_tolerance = electric.steady ? 0 : coupling.settle_tolerance;
   if (coupling.joule_heat) input.joule = &electric.graph;
   thermal.view = electric.steady ? 0 : 1;
   if (!electric.steady) {
@@ -169,7 +167,7 @@ void build_pair(const std::string& where, const Coupling& coupling, FieldScene& 
 /// A steady potential alone: solved for here, and nothing is left to integrate.
 void build_steady(const std::string& where, FieldScene& electric, Scene& scene) {
   apply_roles(assign_steady_roles(electric.graph, where), electric);
-  set_range(electric);
+  set_range(scene.t_end, electric);
   solve_once(electric, scene);
   Network nothing;
   nothing.row_begin.assign(1, 0);
@@ -198,7 +196,7 @@ void list_term_skips(const FieldScene& field, Scene& scene) {
   if (field.graph.radiation.empty()) scene.skips.push_back({"radiation", "the case has none"});
 }
 
-void list_skips(const Coupling& coupling, Scene& scene) {
+void list_skips(Scene& scene) {
   const FieldScene* electric = find_field(scene, "potential");
   const FieldScene* thermal = find_field(scene, "temperature");
   for (const auto& field : scene.fields) list_field_skips(field, scene.fields.size() == 1, scene);
@@ -213,12 +211,6 @@ void list_skips(const Coupling& coupling, Scene& scene) {
     scene.skips.push_back({"stepping the potential",
                            scene.moving_potential ? "it is steady: solved for when conductivities have moved"
                                                   : "it is steady and nothing moves it: solved for once"});
-  if (electric && electric->view >= 0 && coupling.settle_tolerance > 0)
-    scene.skips.push_back(
-        {"stepping the potential once it is steady",
-         fmt::format("[electric] settle_tolerance = {:g} of its span", coupling.settle_tolerance)});
-  if (scene.rhs->traits().constant_jacobian)
-    scene.skips.push_back({"repeated Jacobians", "conductances are constant: one evaluation a run"});
 }
 
 }  // namespace
@@ -232,7 +224,7 @@ void build_rhs(const std::string& where, const Coupling& coupling, Scene& scene)
     build_steady(where, *electric, scene);
   else
     build_single(where, scene.fields.front(), scene);
-  list_skips(coupling, scene);
+  list_skips(scene);
 }
 
 }  // namespace superstep

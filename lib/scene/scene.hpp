@@ -80,6 +80,7 @@ struct Scene {
   std::vector<double> initial;               ///< [rhs->size()] state at t = 0
   std::vector<double> steady_potential;      ///< [nodes] V, of a steady potential that nothing moves
   NonlinearRhs* moving_potential = nullptr;  ///< solves for a steady potential that follows the state
+  double settle_tolerance = 0;  ///< of the potential's span: steady enough not to be stepped on; 0 = never
   std::vector<Probe> probes;
   BenchSettings bench;
   std::map<std::string, double> published;  ///< figures of the source to print beside ours

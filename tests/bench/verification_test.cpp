@@ -68,9 +68,13 @@ TEST_F(RodVerification, ForwardEulerErrorsAreProportionalToTheStep) {
 }
 
 TEST_F(RodVerification, HeatIsBalancedAndStaysInRange) {
-  const auto errors = of("forward-euler:step=0.2").errors[0];
-  EXPECT_NEAR(errors.balance.value(), 0, 1e-12);  // rounding of some 500 steps
-  EXPECT_EQ(errors.overshoot, 0);
+  const auto coarse = of("forward-euler:step=0.4").errors[0], fine = of("forward-euler:step=0.1").errors[0];
+  EXPECT_EQ(coarse.overshoot, 0);
+  // What entered comes from the reference: the balance shows the heat that a method has too much or too
+  // little, which falls with the step, and is no identity of the method's own.
+  EXPECT_GT(std::abs(coarse.balance.value()), 2 * std::abs(fine.balance.value()));
+  EXPECT_LT(std::abs(coarse.balance.value()), 0.1);
+  EXPECT_LT(std::abs(of("cvode:rtol=1e-9").errors[0].balance.value()), 1e-7);
 }
 
 TEST_F(RodVerification, AnUnstableRunHasAReasonAndNoErrors) {
@@ -80,13 +84,12 @@ TEST_F(RodVerification, AnUnstableRunHasAReasonAndNoErrors) {
   EXPECT_TRUE(result.errors.empty());
 }
 
-TEST_F(RodVerification, WithoutAReferenceOvershootAndBalanceRemain) {
+TEST_F(RodVerification, WithoutAReferenceOvershootRemains) {
   const auto result = verify(scene_, probes_, "forward-euler", nullptr, nullptr, nullptr);
   ASSERT_TRUE(result.outcome.ok());
   EXPECT_FALSE(result.errors[0].rms);
   EXPECT_FALSE(result.errors[0].probe_mean);
   EXPECT_TRUE(result.errors[0].overshoot);
-  EXPECT_TRUE(result.errors[0].balance);
 }
 
 }  // namespace

@@ -209,7 +209,7 @@ TEST(Rock, NeedsFarFewerSweepsThanRkcAtTightTolerance) {
   // Error per work is what the order is for.
   test::Problem problem(test::chain(200, 0.0, 1.0));
   const auto exact = problem.exact(2000);
-  const auto rock = test::run("rock:rtol=1e-6", problem, {2000});
+  const auto rock = test::run("rock:rtol=1e-8", problem, {2000});
   const auto rkc = test::run("rkc:rtol=1e-8", problem, {2000});
   ASSERT_TRUE(rock.outcome.ok() && rkc.outcome.ok());
   EXPECT_LT(test::rms_difference(rock.states.back(), exact), test::rms_difference(rkc.states.back(), exact));

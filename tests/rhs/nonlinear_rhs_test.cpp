@@ -215,61 +215,32 @@ TEST(JouleHeat, IsThePowerOfTheElectrodes) {
   EXPECT_NEAR(heat, 1.0 * current, 1e-10 * heat);
 }
 
-TEST(MeanSourceRate, IsTheHeatOfTheSteadyCurrentBeforeAnySweep) {
-  const ConductivityLaw rise{
-      .kind = ConductivityLaw::Kind::sigmoid, .value = 3, .reference = 50, .amplitude = 2, .steepness = 3};
-  const Network network = Thermoelectric{.nodes = 40}.electric_network();
-  const auto potential = steady_state(network);
-  double current = 0;  // at the electrode of 1 V, so that it is the heat as well
-  for (const auto& edge : network.ghost_edges)
-    if (network.ghost_value[static_cast<std::size_t>(edge.ghost)] == 1)
-      current += edge.conductance * (1 - potential[static_cast<std::size_t>(edge.row)]);
-  // The law has its reference value at the temperatures of the start, 50 widths below its rise.
-  for (const bool steady : {false, true}) {
-    const auto rhs =
-        Thermoelectric{.nodes = 40, .steady = steady, .electric = {rise, ConductivityLaw{.value = 1}}}
-            .build();
-    double capacity = 0;
-    const auto& field = rhs->fields().back();
-    for (std::size_t i = field.offset; i < field.offset + field.count; ++i) capacity += rhs->capacities()[i];
-    // The iterative potential is good to a hundredth, the heat to its square and some.
-    EXPECT_NEAR(rhs->mean_source_rate(rhs->fields().size() - 1), current / capacity,
-                1e-2 * current / capacity)
-        << steady;
-  }
-}
-
 TEST(ConjugateGradients, FindTheSteadyState) {
   const Network network = Thermoelectric{.nodes = 60}.electric_network();
   const auto exact = steady_state(network), found = approximate_steady_state(network, 1e-12);
   for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(found[i], exact[i], 1e-9);
 }
 
-TEST(Settling, StopsThePotentialAndRestartSetsItGoing) {
-  Thermoelectric settings{.nodes = 30, .settle_tolerance = 1e-6};
-  const auto rhs = settings.build();
-  const auto steady = steady_state(settings.electric_network());
-  std::vector<double> y(rhs->size(), 0.0), rate(rhs->size()), settled_rate(rhs->size());
-  std::copy(steady.begin(), steady.end(), y.begin());
-  (*rhs)(0, y, rate);
-  const auto version = rhs->values_version();
-  // The first look has nothing to compare with, the second sees it move.
-  for (std::size_t i = 0; i < steady.size(); ++i) y[i] *= 0.9;
-  EXPECT_FALSE(rhs->settle(0.5, y, 0));
-  for (std::size_t i = 0; i < steady.size(); ++i) y[i] = steady[i] * (1 - 1e-10);
-  EXPECT_FALSE(rhs->settle(1.0, y, 0));
-  for (std::size_t i = 0; i < steady.size(); ++i) y[i] = steady[i] * (1 - 1e-10);
-  EXPECT_TRUE(rhs->settle(2.0, y, 0));
-  EXPECT_NE(rhs->values_version(), version);
-  EXPECT_FALSE(rhs->steps(0));
-  const auto before = rhs->counters().sweeps;
-  (*rhs)(2.0, y, settled_rate);
-  EXPECT_EQ(rhs->counters().sweeps, before + 1);  // one field is swept, not two
-  for (std::size_t i = 0; i < steady.size(); ++i) EXPECT_EQ(settled_rate[i], 0);
-  for (std::size_t i = steady.size(); i < y.size(); ++i)
-    EXPECT_NEAR(settled_rate[i], rate[i], 1e-8 * std::abs(rate[i]) + 1e-12);
-  rhs->restart(0);
-  EXPECT_TRUE(rhs->steps(0));
+/// The middle of two pieces, one-sided limits at their ends, and what lies beyond.
+TEST(Pieces, AreLinesForAnyTime) {
+  const auto rhs = Thermoelectric{.nodes = 12, .convection = true, .tables = true}.build();
+  ASSERT_FALSE(rhs->facts().breakpoints.empty());
+  const double knot = rhs->facts().breakpoints.back().t;
+  const std::vector<double> y(rhs->size(), 0.3);
+  const auto rate = [&](double t) {
+    std::vector<double> out(rhs->size());
+    (*rhs)(t, y, out);
+    return out;
+  };
+  const auto middle = rate(0.5 * knot), at_knot = rate(knot);
+  rhs->enter(0, knot);
+  EXPECT_EQ(rate(0.5 * knot), middle);
+  const auto beyond = rate(1.5 * knot);
+  rhs->enter(knot, 2 * knot);
+  EXPECT_EQ(rate(1.2 * knot), at_knot);  // the tables stand still behind their last knot
+  rhs->leave();
+  EXPECT_EQ(rate(1.5 * knot), at_knot);
+  EXPECT_NE(beyond, at_knot);  // the first piece goes on as the line that it is
 }
 
 }  // namespace

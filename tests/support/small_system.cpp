@@ -10,7 +10,10 @@ SmallSystem::SmallSystem(std::size_t size, double radius, Function f)
       radius_(radius),
       f_(std::move(f)),
       capacities_(size, 1.0),
-      rate_(size) {}
+      rate_(size) {
+  facts_.pair_step = 2 / radius;
+  facts_.fields.resize(1);
+}
 
 double SmallSystem::inflow(double t, std::span<const double> y) {
   std::vector<double> rate(y.size());

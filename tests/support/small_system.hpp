@@ -14,12 +14,9 @@ class SmallSystem final : public Rhs {
   SmallSystem(std::size_t size, double radius, Function f);
 
   [[nodiscard]] double spectral_bound(double, std::span<const double>) override { return radius_; }
-  [[nodiscard]] double pair_step_without_interface() const override { return 2 / radius_; }
   [[nodiscard]] std::span<const double> capacities() const noexcept override { return capacities_; }
   [[nodiscard]] double inflow(double t, std::span<const double> y) override;
   [[nodiscard]] double linear_inflow(std::span<const double>) const override { return 0; }
-  [[nodiscard]] double source_rate(std::size_t) const override { return 0; }
-  [[nodiscard]] double mean_source_rate(std::size_t) override { return 0; }
 
  private:
   void do_stage(double t, const Stage& stage, std::span<double> out) override;

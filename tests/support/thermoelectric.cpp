@@ -77,7 +77,6 @@ std::unique_ptr<NonlinearRhs> Thermoelectric::build() const {
   const Graph graph = electric_graph();
   input.potential = input_of(graph, laws_of(electric, mean, nodes));
   input.steady_potential = steady;
-  input.settle_tolerance = settle_tolerance;
   if (joule_heat) input.joule = &graph;
   return std::make_unique<NonlinearRhs>(std::move(input));
 }

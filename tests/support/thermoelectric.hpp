@@ -19,7 +19,6 @@ struct Thermoelectric {
   ConductanceMean mean = ConductanceMean::harmonic;
   bool convection = false, radiation = false;
   bool tables = false;  ///< the electrode and the ambient follow tables of time
-  double settle_tolerance = 0;
 
   [[nodiscard]] Graph thermal_graph() const;
   [[nodiscard]] Graph electric_graph() const;

@@ -1,0 +1,28 @@
+#pragma once
+/// Finds out when a field that drives another one has become steady and need not be stepped any more.
+
+#include <span>
+#include <vector>
+
+#include "rhs/one_way.hpp"
+
+namespace superstep {
+
+class Settling {
+ public:
+  ///   tolerance  of the driving field's span, 0 = never;  span [V]
+  void prepare(Rhs& rhs, double tolerance, double span);
+  void restart() noexcept { next_look_ = 0; }
+  /// Whether the driver's part of y is within the tolerance of its steady state. Cheap to ask at any step
+  /// end.
+  [[nodiscard]] bool is_steady(double t, std::span<const double> y);
+  [[nodiscard]] OneWayCoupling* coupling() const noexcept { return coupling_; }
+
+ private:
+  OneWayCoupling* coupling_ = nullptr;
+  double allowed_ = 0, residual_ = 0, next_look_ = 0;
+  std::vector<double> seen_;   ///< driver's state at the last look
+  std::vector<double> final_;  ///< the steady one, worked out when it seems to be reached
+};
+
+}  // namespace superstep

@@ -1,0 +1,145 @@
+#include "integrators/spans.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrators/registry.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr double enough = 0.05;  // relative change of a span that ends the pilot runs
+constexpr int most_runs = 8;
+
+std::vector<FieldRange> starting_ranges(const Rhs& rhs, const Plan& plan, std::span<const double> y) {
+  std::vector<FieldRange> ranges = plan.ranges;
+  const auto fields = rhs.fields();
+  for (std::size_t f = 0; f < fields.size(); ++f)
+    for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
+      ranges[f].take(y[i]);
+  return ranges;
+}
+
+/// Nothing can leave the range, and its ends are there: they are initial and fixed values.
+bool range_is_attained(const FieldFacts& facts, const FieldRange& range) {
+  if (facts.has_sources) return false;
+  return facts.ambient.empty() || (facts.ambient.low >= range.low && facts.ambient.high <= range.high);
+}
+
+/// Some pieces of the inputs: all where they are few, else the ones with the strongest beginnings.
+std::vector<std::pair<double, double>> some_pieces(const Rhs& rhs, double begin, double end) {
+  constexpr std::size_t most = 64;
+  std::vector<double> bounds = {begin};
+  std::vector<std::pair<double, std::size_t>> strength;
+  for (const auto& point : rhs.facts().breakpoints) {
+    if (!(point.t > begin && point.t < end)) continue;
+    const double jump = *std::max_element(point.jump.begin(), point.jump.end());
+    const double kink = *std::max_element(point.kink.begin(), point.kink.end());
+    strength.emplace_back(-(jump + kink * (point.t - bounds.back())), bounds.size() - 1);
+    bounds.push_back(point.t);
+  }
+  bounds.push_back(end);
+  std::vector<std::pair<double, double>> pieces;
+  if (bounds.size() <= most) {
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k) pieces.emplace_back(bounds[k], bounds[k + 1]);
+    return pieces;
+  }
+  std::sort(strength.begin(), strength.end());
+  for (std::size_t k = 0; k < most; ++k) {
+    const std::size_t piece = strength[k].second;
+    pieces.emplace_back(bounds[piece], bounds[piece + 1]);
+  }
+  return pieces;
+}
+
+/// What the rates of the initial state would do if they went on: a first guess, if a rough one.
+std::vector<double> guess(Rhs& rhs, const Plan& plan, double t, std::span<const double> y) {
+  const auto fields = rhs.fields();
+  std::vector<double> rate(rhs.size()), rise(fields.size(), 0.0);
+  for (const auto& [begin, end] : some_pieces(rhs, t, plan.output_times.back())) {
+    if (!rhs.facts().breakpoints.empty()) rhs.enter(begin, end);
+    for (const double at : {begin, end}) {
+      rhs(at, y, rate);
+      for (std::size_t f = 0; f < fields.size(); ++f) {
+        double sum = 0;
+        for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
+          sum += rate[i] * rate[i];
+        const double rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, fields[f].count)));
+        if (std::isfinite(rms)) rise[f] += 0.5 * (end - begin) * rms;
+      }
+    }
+  }
+  rhs.leave();
+  return rise;
+}
+
+/// Explicit where that is little work, else implicit: fixed by the scene alone.
+std::string pilot_method(Rhs& rhs, const Plan& plan, double t, std::span<const double> y) {
+  constexpr double little = 1e6;  // t rho: some thousand sweeps
+  const double t_rho = (plan.output_times.back() - t) * rhs.spectral_bound(t, y);
+  return t_rho < little ? "rkc:rtol=1e-2" : "cvode:rtol=1e-2";
+}
+
+}  // namespace
+
+Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y) {
+  const auto declared = starting_ranges(rhs, plan, y);
+  const auto& facts = rhs.facts().fields;
+  Spans out;
+  for (std::size_t f = 0; f < declared.size(); ++f) {
+    out.spans.push_back(declared[f].span());
+    out.pilot = out.pilot || !range_is_attained(facts[f], declared[f]);
+  }
+  out.how = "initial and fixed values span it";
+  if (!out.pilot || rhs.size() == 0) return out;
+
+  const auto rise = guess(rhs, plan, t, y);
+  std::vector<double> spans = out.spans;
+  for (std::size_t f = 0; f < spans.size(); ++f) spans[f] = std::max(spans[f], rise[f]);
+  const std::string method = pilot_method(rhs, plan, t, y);
+  out.how = fmt::format("a pilot run by {} found it", method);
+  for (int run = 1; run <= most_runs; ++run) {
+    if (std::all_of(spans.begin(), spans.end(), [](double s) { return s == 0; })) break;  // nothing moves
+    std::vector<FieldRange> found = declared;
+    Plan pilot{.t_begin = t,
+               .output_times = {plan.output_times.back()},
+               .ranges = plan.ranges,
+               .spans = spans,
+               .probes = {},
+               .settle_tolerance = plan.settle_tolerance,
+               .extremes = &found,
+               .stop = plan.stop};
+    Integrator integrator(make_method(method));
+    Outcome outcome;
+    try {
+      integrator.prepare(rhs, pilot);
+      integrator.start(t, y);
+      outcome = integrator.advance(plan.output_times.back());
+    } catch (const std::exception& error) {
+      outcome = {Status::failed, error.what()};
+    }
+    double change = 0;
+    for (std::size_t f = 0; f < spans.size(); ++f) {
+      const double seen = found[f].span();
+      if (!std::isfinite(seen)) {
+        outcome.status = Status::failed;
+        continue;
+      }
+      // A run that was too coarse to see anything move says how fine the next one has to be.
+      const double next = seen > 1e-2 * spans[f] ? seen : std::max(seen, 1e-3 * spans[f]);
+      change = std::max(change, spans[f] > 0 ? std::abs(next / spans[f] - 1) : 0.0);
+      if (outcome.ok()) spans[f] = next;
+    }
+    if (!outcome.ok()) {
+      out.how += fmt::format("; it ended early: {}", outcome.reason);
+      break;
+    }
+    if (change <= enough) break;
+  }
+  out.spans = spans;
+  return out;
+}
+
+}  // namespace superstep

@@ -1,0 +1,102 @@
+/// What is known about a field beforehand: ranges, source rates, breakpoints.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rhs/field_operator.hpp"
+
+namespace superstep {
+namespace {
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+/// Adds up what rows take from one table, rate of change per unit of the table; rows come in order.
+class Weights {
+ public:
+  void add(std::int32_t row, double weight) noexcept {
+    if (row != row_) finish();
+    row_ = row;
+    of_row_ += weight;
+  }
+  [[nodiscard]] double rms(std::size_t rows) noexcept {
+    finish();
+    return std::sqrt(sum_ / static_cast<double>(std::max<std::size_t>(1, rows)));
+  }
+
+ private:
+  void finish() noexcept {
+    sum_ += of_row_ * of_row_;
+    of_row_ = 0;
+  }
+  std::int32_t row_ = -1;
+  double of_row_ = 0, sum_ = 0;
+};
+
+/// A table that acts on no row may still act through a product: its knots are never taken for nothing.
+double effect(double weight, double change) noexcept {
+  if (change == 0) return 0;
+  return weight > 0 ? weight * change : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+void add_knots(const TimeTable& table, double weight, std::size_t field, std::vector<Breakpoint>& points) {
+  const auto& [time, value] = table;
+  const auto slope = [&](std::size_t k) {  // of the interval that ends at knot k
+    const bool inside = k > 0 && k < time.size() && time[k] > time[k - 1];
+    return inside ? (value[k] - value[k - 1]) / (time[k] - time[k - 1]) : 0.0;
+  };
+  for (std::size_t k = 0; k < time.size();) {
+    std::size_t next = k + 1;  // behind the values that belong to this instant
+    while (next < time.size() && time[next] == time[k]) ++next;
+    Breakpoint point{.t = time[k]};
+    point.jump[field] = effect(weight, std::abs(value[next - 1] - value[k]));
+    point.kink[field] = effect(weight, std::abs(slope(next) - slope(k)));
+    points.push_back(point);
+    k = next;
+  }
+}
+
+void FieldOperator::find_facts() {
+  std::vector<double> largest_rate(size(), 0.0);
+  for (const auto& source : sources_) largest_rate[at(source.row)] += std::abs(source.rate);
+  const auto& tables = inputs_.tables();
+  for (const auto& source : tabled_) {
+    const auto& table = tables[at(source.table)];
+    largest_rate[at(source.row)] +=
+        std::max(std::abs(table.lowest()), std::abs(table.highest())) / network_.capacity[at(source.row)];
+  }
+  for (const double rate : largest_rate) facts_.source_rate = std::max(facts_.source_rate, rate);
+  facts_.has_sources = facts_.source_rate > 0;
+  const auto take = [&](double value, std::int32_t table) {
+    if (table < 0) return facts_.ambient.take(value);
+    facts_.ambient.take(tables[at(table)].lowest());
+    facts_.ambient.take(tables[at(table)].highest());
+  };
+  for (std::size_t g = 0; g < network_.ghost_node.size(); ++g)
+    if (network_.ghost_node[g] < 0) take(network_.ghost_value[g], network_.ghost_table[g]);
+  for (const auto& exchange : network_.radiation) take(exchange.ambient, exchange.table);
+}
+
+void FieldOperator::add_breakpoints(std::size_t field, std::vector<Breakpoint>& points) const {
+  if (constant_inputs_) return;
+  const auto& tables = inputs_.tables();
+  std::vector<Weights> weights(tables.size());
+  for (const auto& edge : network_.ghost_edges)
+    if (const auto table = network_.ghost_table[at(edge.ghost)]; table >= 0)
+      weights[at(table)].add(edge.row, edge.conductance / network_.capacity[at(edge.row)]);
+  for (const auto& source : tabled_)
+    weights[at(source.table)].add(source.row, 1 / network_.capacity[at(source.row)]);
+  for (const auto& radiation : radiation_)
+    if (radiation.table >= 0) {
+      const auto& table = tables[at(radiation.table)];
+      const double largest = std::max(std::abs(table.lowest()), std::abs(table.highest()));
+      weights[at(radiation.table)].add(radiation.row, 4 * radiation.rate * largest * largest * largest);
+    }
+  for (std::size_t k = 0; k < tables.size(); ++k) add_knots(tables[k], weights[k].rms(size()), field, points);
+}
+
+}  // namespace superstep

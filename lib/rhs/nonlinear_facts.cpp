@@ -1,0 +1,71 @@
+/// What is known about a coupled scene beforehand.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rhs/nonlinear_rhs.hpp"
+
+namespace superstep {
+namespace {
+
+/// Of all tables together at knot t: sum of magnitudes.
+double magnitude(const std::vector<TimeTable>& tables, double t) noexcept {
+  double sum = 0;
+  for (const auto& table : tables) sum += std::abs(table.at(t));
+  return sum;
+}
+
+double rms(const std::vector<double>& v) noexcept {
+  double sum = 0;
+  for (const double x : v) sum += x * x;
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, v.size())));
+}
+
+}  // namespace
+
+void NonlinearRhs::find_facts(const NonlinearInput& input) {
+  facts_.pair_step = input.temperature.pair_step;
+  facts_.radiates = radiates_;
+  FieldFacts thermal = thermal_->facts();
+  if (joule_) {
+    const auto& potential = *input.potential;
+    const bool sourced = std::any_of(potential.network.source.begin(), potential.network.source.end(),
+                                     [](double source) { return source != 0; }) ||
+                         !potential.network.tabled_sources.empty();
+    const double rise = electric_conductivity_ ? electric_conductivity_->largest_rise() : 1;
+    thermal.has_sources = true;
+    thermal.source_rate += sourced ? std::numeric_limits<double>::infinity()
+                                   : rise * joule_->largest_rate(potential.high - potential.low);
+  }
+  if (steps_potential()) {
+    facts_.pair_step = std::min(facts_.pair_step, input.potential->pair_step);
+    facts_.fields.push_back(electric_->facts());
+    electric_->add_breakpoints(0, facts_.breakpoints);
+  }
+  facts_.fields.push_back(thermal);
+  thermal_->add_breakpoints(facts_.fields.size() - 1, facts_.breakpoints);
+  if (steady_ && joule_) add_steady_breakpoints();
+  merge_breakpoints(facts_.breakpoints);
+}
+
+/// Joule heat is a square of what the tables say: where their sum v changes by dv, the heat q does by
+/// 2 q dv/v at most, with q and v those of the strongest instant.
+void NonlinearRhs::add_steady_breakpoints() {
+  const auto& tables = steady_->tables();
+  double strongest = 0, largest = 0;
+  for (const auto& table : tables)
+    for (const double t : table.time)
+      if (const double v = magnitude(tables, t); v > largest) {
+        largest = v;
+        strongest = t;
+      }
+  if (!(largest > 0)) return;
+  std::vector<double> rate(thermal_->size());
+  joule_->rate(steady_->on_slots(strongest, electric_conductivity_ ? &*electric_conductivity_ : nullptr),
+               rate);
+  const double weight = 2 * rms(rate) / largest;
+  for (const auto& table : tables) add_knots(table, weight, 0, facts_.breakpoints);
+}
+
+}  // namespace superstep
