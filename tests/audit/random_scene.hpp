@@ -24,7 +24,7 @@ struct StatedScene {
 
 struct SceneWishes {
   bool steps = true;  ///< steps in time tables: equal neighbouring times
-  std::string kind;   ///< only this class; empty = all of them
+  std::string kind = {}; ///< only this class; empty = all of them
   std::size_t most_nodes = 60;
 };
 

@@ -84,8 +84,8 @@ void print_shift_audit(std::ostream& out, const SeedRange& seeds, const SceneWis
                      "within 2 %", "> 1.5x", "worst", "rounding");
   for (auto& [who, tally] : tallies) {
     std::sort(tally.ratios.begin(), tally.ratios.end());
-    const auto within = [&](double limit) {
-      return static_cast<std::size_t>(std::upper_bound(tally.ratios.begin(), tally.ratios.end(), limit) -
+    const auto within = [&](double ratio) {
+      return static_cast<std::size_t>(std::upper_bound(tally.ratios.begin(), tally.ratios.end(), ratio) -
                                       tally.ratios.begin());
     };
     out << fmt::format("{:<31} {:>6.0e} {:>6} {:>11} {:>9} {:>8.3g} {:>9}\n", who.first, who.second,
