@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrators/detail/shifted_solver.hpp"
+#include "integrators/detail/implicit/shifted_solver.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 constexpr double default_rtol = 1e-4;
 
-// Constants fitted to reports/work_precision_nial_thermal.csv: 16 538 unknowns, t rho = 5.8e4 with the
-// certified rho.
+// Constants fitted to reports/records/work_precision_nial_thermal.csv: 16 538 unknowns, t rho = 5.8e4 with
+// the certified rho.
 
 /// Terms of the Chebyshev expansion of exp(-t A), sqrt(t rho ln(1/rtol)) and a few more; 0.78 stands for the
 /// sharper radius that the method itself works with (480 to 1016 sweeps for rtol 1e-3 to 1e-12, within 12 %).

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "integrators/detail/cvode_linear_solver.hpp"
 #include "integrators/detail/error_norm.hpp"
-#include "integrators/detail/shifted_solver.hpp"
-#include "integrators/detail/sundials.hpp"
+#include "integrators/detail/implicit/cvode_linear_solver.hpp"
+#include "integrators/detail/implicit/shifted_solver.hpp"
+#include "integrators/detail/implicit/sundials.hpp"
 #include "integrators/detail/tolerance.hpp"
 #include "integrators/registry.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/implicit_stage.hpp"
+#include "integrators/detail/implicit/implicit_stage.hpp"
 #include "integrators/detail/tolerance.hpp"
 #include "integrators/registry.hpp"
 

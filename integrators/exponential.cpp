@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "integrators/detail/chebyshev_propagator.hpp"
-#include "integrators/detail/lanczos_propagator.hpp"
-#include "integrators/detail/one_way_exponential.hpp"
+#include "integrators/detail/exponential/chebyshev_propagator.hpp"
+#include "integrators/detail/exponential/lanczos_propagator.hpp"
+#include "integrators/detail/exponential/one_way_exponential.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
 

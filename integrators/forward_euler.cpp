@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "integrators/detail/critical_step.hpp"
+#include "integrators/detail/explicit/critical_step.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {

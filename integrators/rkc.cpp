@@ -1,7 +1,7 @@
 /// Runge-Kutta-Chebyshev, damped Chebyshev polynomials.
 /// Source: Sommeijer, Shampine & Verwer (1998), doi:10.1016/S0377-0427(97)00219-7.
 
-#include "integrators/detail/stabilised.hpp"
+#include "integrators/detail/explicit/stabilised.hpp"
 
 namespace superstep {
 

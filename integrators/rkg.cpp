@@ -1,7 +1,7 @@
 /// Runge-Kutta-Gegenbauer, strongly damped.
 /// Source: Skaras, Saxton, Meyer & Aslam (2021), doi:10.1016/j.jcp.2020.109879.
 
-#include "integrators/detail/stabilised.hpp"
+#include "integrators/detail/explicit/stabilised.hpp"
 
 namespace superstep {
 

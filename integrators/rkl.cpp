@@ -1,7 +1,7 @@
 /// Runge-Kutta-Legendre, monotone without a damping parameter.
 /// Source: Meyer, Balsara & Aslam (2014), doi:10.1016/j.jcp.2013.08.021.
 
-#include "integrators/detail/stabilised.hpp"
+#include "integrators/detail/explicit/stabilised.hpp"
 
 namespace superstep {
 

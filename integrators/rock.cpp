@@ -1,7 +1,7 @@
 /// Orthogonal Runge-Kutta-Chebyshev method of order four: coefficients solved for, none tabulated.
 /// Source: Abdulle (2002), doi:10.1137/S1064827500379549.
 
-#include "integrators/detail/stabilised.hpp"
+#include "integrators/detail/explicit/stabilised.hpp"
 
 namespace superstep {
 

@@ -13,9 +13,9 @@
 
 #include "core/error.hpp"
 #include "core/state_vector.hpp"
-#include "integrators/detail/critical_step.hpp"
-#include "integrators/detail/super_step.hpp"
-#include "integrators/detail/superstep_engine.hpp"
+#include "integrators/detail/explicit/critical_step.hpp"
+#include "integrators/detail/explicit/super_step.hpp"
+#include "integrators/detail/explicit/superstep_engine.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
 

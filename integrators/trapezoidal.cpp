@@ -2,7 +2,7 @@
 /// Source: Zohdi (2014), eqs 22-30, 36, Algorithm 1. phi = 0.5 is second order but not L-stable: with h
 /// lambda >> 1 stiff modes ring; phi slightly above 0.5 damps them.
 
-#include "integrators/detail/trapezoidal.hpp"
+#include "integrators/detail/implicit/trapezoidal.hpp"
 
 #include <array>
 

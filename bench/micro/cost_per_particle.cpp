@@ -19,7 +19,7 @@
 #include "bench/micro/networks.hpp"
 #include "core/atomic_file.hpp"
 #include "core/stopwatch.hpp"
-#include "rhs/field_operator.hpp"
+#include "rhs/kernels/field_operator.hpp"
 
 namespace superstep::micro {
 namespace {

@@ -4,11 +4,11 @@
 #include <Eigen/Sparse>
 #include <vector>
 
+#include "case/scene.hpp"
 #include "core/aligned_array.hpp"
 #include "network/network.hpp"
 #include "packing/packing.hpp"
-#include "rhs/sweep.hpp"
-#include "scene/scene.hpp"
+#include "rhs/kernels/sweep.hpp"
 
 namespace superstep::micro {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/harness/run_one.hpp"
 #include "bench/micro/networks.hpp"
-#include "bench/run_one.hpp"
 #include "contact/search.hpp"
 #include "integrators/registry.hpp"
 #include "network/spd_solver.hpp"

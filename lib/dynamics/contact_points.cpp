@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dynamics/contact_law.hpp"
+#include "dynamics/laws/contact_law.hpp"
 
 namespace superstep::dynamics {
 

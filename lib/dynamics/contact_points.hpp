@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/bond_law.hpp"
+#include "dynamics/laws/bond_law.hpp"
 #include "dynamics/neighbour_list.hpp"
 #include "dynamics/particles.hpp"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/damping.hpp"
-#include "dynamics/drag.hpp"
-#include "dynamics/friction.hpp"
-#include "dynamics/gravity.hpp"
+#include "dynamics/laws/damping.hpp"
+#include "dynamics/laws/drag.hpp"
+#include "dynamics/laws/friction.hpp"
+#include "dynamics/laws/gravity.hpp"
 
 namespace superstep::dynamics {
 namespace {

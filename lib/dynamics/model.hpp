@@ -4,10 +4,10 @@
 #include <array>
 #include <string>
 
-#include "dynamics/bond_law.hpp"
-#include "dynamics/contact_law.hpp"
-#include "dynamics/drag.hpp"
-#include "dynamics/schedule.hpp"
+#include "dynamics/laws/bond_law.hpp"
+#include "dynamics/laws/contact_law.hpp"
+#include "dynamics/laws/drag.hpp"
+#include "dynamics/laws/schedule.hpp"
 #include "dynamics/walls.hpp"
 
 namespace superstep::dynamics {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "dynamics/laws/schedule.hpp"
 #include "dynamics/particles.hpp"
-#include "dynamics/schedule.hpp"
 
 namespace superstep::dynamics {
 

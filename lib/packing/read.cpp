@@ -5,8 +5,8 @@
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "core/text_file.hpp"
-#include "packing/formats.hpp"
-#include "packing/text_row.hpp"
+#include "packing/formats/formats.hpp"
+#include "packing/formats/text_row.hpp"
 
 namespace superstep {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rhs/field_operator.hpp"
+#include "rhs/kernels/field_operator.hpp"
 
 namespace superstep {
 namespace {

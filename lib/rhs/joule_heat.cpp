@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rhs/sweep.hpp"
+#include "rhs/kernels/sweep.hpp"
 
 namespace superstep {
 namespace {

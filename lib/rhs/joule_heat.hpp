@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "network/graph.hpp"
-#include "rhs/sliced_rows.hpp"
-#include "rhs/variable_conduction.hpp"
+#include "rhs/kernels/sliced_rows.hpp"
+#include "rhs/kernels/variable_conduction.hpp"
 
 namespace superstep {
 

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "rhs/field_operator.hpp"
-#include "rhs/jacobian_assembly.hpp"
+#include "rhs/kernels/field_operator.hpp"
+#include "rhs/kernels/jacobian_assembly.hpp"
 
 namespace superstep {
 

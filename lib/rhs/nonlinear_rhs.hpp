@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "rhs/jacobian_assembly.hpp"
 #include "rhs/joule_heat.hpp"
+#include "rhs/kernels/jacobian_assembly.hpp"
 #include "rhs/one_way.hpp"
 #include "rhs/steady_potential.hpp"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/reduction.hpp"
+#include "rhs/kernels/sparse_pattern.hpp"
 #include "rhs/rhs_facts.hpp"
-#include "rhs/sparse_pattern.hpp"
 #include "rhs/stage.hpp"
 
 namespace superstep {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "network/spd_solver.hpp"
-#include "rhs/node_values.hpp"
-#include "rhs/variable_conduction.hpp"
+#include "rhs/kernels/node_values.hpp"
+#include "rhs/kernels/variable_conduction.hpp"
 
 namespace superstep {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/run_one.hpp"
+#include "bench/harness/run_one.hpp"
 #include "core/options.hpp"
 #include "integrators/registry.hpp"
 

@@ -36,9 +36,9 @@ struct Row {
   std::uint64_t seed = 0;
   std::string kind = {}, shape = {};  ///< of the scene
   std::size_t unknowns = 0;
-  double t_lambda = 0;  ///< see StatedScene
+  double t_lambda = 0;     ///< see StatedScene
   std::string label = {};  ///< of the contender
-  double rtol = 0;      ///< 0: the method takes none
+  double rtol = 0;         ///< 0: the method takes none
   /// As in the library; "timeout" when the audit stopped it.
   std::string status = {}, reason = {};
   double error = -1;  ///< rms over free nodes, worst over outputs and fields, over the span; -1 = did not end

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "network/graph.hpp"
-#include "rhs/variable_conduction.hpp"
+#include "rhs/kernels/variable_conduction.hpp"
 
 namespace superstep::audit {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/build_rhs.hpp"
-#include "scene/scene.hpp"
+#include "case/build_rhs.hpp"
+#include "case/scene.hpp"
 
 namespace superstep::audit {
 
@@ -23,8 +23,8 @@ struct StatedScene {
 };
 
 struct SceneWishes {
-  bool steps = true;  ///< steps in time tables: equal neighbouring times
-  std::string kind = {}; ///< only this class; empty = all of them
+  bool steps = true;      ///< steps in time tables: equal neighbouring times
+  std::string kind = {};  ///< only this class; empty = all of them
   std::size_t most_nodes = 60;
 };
 

@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "audit/verdict.hpp"
-#include "bench/reference.hpp"
+#include "bench/harness/reference.hpp"
 
 namespace superstep::audit {
 namespace {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "bench/metrics.hpp"
-#include "bench/run_one.hpp"
+#include "bench/harness/metrics.hpp"
+#include "bench/harness/run_one.hpp"
+#include "case/scene.hpp"
+#include "integrators/press/sintering_case.hpp"
 #include "integrators/registry.hpp"
-#include "integrators/staggered/sintering_case.hpp"
 #include "rhs/one_way.hpp"
-#include "scene/scene.hpp"
 
 namespace superstep {
 namespace {

@@ -1,11 +1,11 @@
-#include "bench/harness.hpp"
+#include "bench/harness/harness.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 
-#include "bench/spec_settings.hpp"
+#include "bench/app/spec_settings.hpp"
 #include "core/error.hpp"
 #include "temporary_case.hpp"
 

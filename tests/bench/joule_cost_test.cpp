@@ -1,11 +1,11 @@
-#include "bench/joule_cost.hpp"
+#include "bench/harness/joule_cost.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bench/harness.hpp"
-#include "bench/run_one.hpp"
+#include "bench/harness/harness.hpp"
+#include "bench/harness/run_one.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

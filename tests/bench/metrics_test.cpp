@@ -1,4 +1,4 @@
-#include "bench/metrics.hpp"
+#include "bench/harness/metrics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bench/observations.hpp"
+#include "bench/output/observations.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/harness.hpp"
-#include "bench/loaded_case.hpp"
+#include "bench/app/loaded_case.hpp"
+#include "bench/harness/harness.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "reports/paper_parts.hpp"
-#include "reports/published.hpp"
-#include "scene/scene.hpp"
+#include "case/scene.hpp"
+#include "reports/html/published.hpp"
+#include "reports/html/sections/paper_parts.hpp"
 
 namespace superstep {
 namespace {

@@ -1,12 +1,12 @@
-#include "bench/reference.hpp"
+#include "bench/harness/reference.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "bench/digest.hpp"
-#include "bench/reference_cache.hpp"
+#include "bench/harness/digest.hpp"
+#include "bench/harness/reference_cache.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <nlohmann/json.hpp>
 
-#include "bench/loaded_case.hpp"
-#include "bench/run_files.hpp"
-#include "bench/run_one.hpp"
+#include "bench/app/loaded_case.hpp"
+#include "bench/harness/run_one.hpp"
+#include "bench/output/run_files.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "temporary_case.hpp"

@@ -1,6 +1,6 @@
 /// Errors by the rule of a published table, on histories whose answers are known.
 
-#include "bench/sampled_errors.hpp"
+#include "bench/harness/sampled_errors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/harness.hpp"
-#include "bench/verification.hpp"
+#include "bench/harness/harness.hpp"
+#include "bench/harness/verification.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

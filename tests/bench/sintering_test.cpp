@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "bench/commands.hpp"
-#include "bench/motion_schemes.hpp"
-#include "bench/thermal_lanes.hpp"
+#include "bench/app/commands.hpp"
+#include "bench/output/thermal_lanes.hpp"
+#include "bench/press/motion_schemes.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "small_press.hpp"

@@ -11,15 +11,15 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "bench/stability_chain.hpp"
-#include "bench/stability_lab.hpp"
-#include "bench/stability_methods.hpp"
-#include "bench/stability_rounding.hpp"
-#include "bench/stability_verdicts.hpp"
+#include "bench/lab/chain.hpp"
+#include "bench/lab/lab.hpp"
+#include "bench/lab/methods.hpp"
+#include "bench/lab/rounding.hpp"
+#include "bench/lab/verdicts.hpp"
 #include "core/error.hpp"
-#include "integrators/detail/super_step.hpp"
-#include "reports/stability_report.hpp"
-#include "reports/stability_tables.hpp"
+#include "integrators/detail/explicit/super_step.hpp"
+#include "reports/text/stability_report.hpp"
+#include "results/stability_tables.hpp"
 #include "support/problem.hpp"
 #include "temporary_case.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/loaded_case.hpp"
-#include "bench/run_files.hpp"
-#include "bench/run_one.hpp"
+#include "bench/app/loaded_case.hpp"
+#include "bench/harness/run_one.hpp"
+#include "bench/output/run_files.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

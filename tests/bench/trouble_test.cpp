@@ -9,8 +9,8 @@
 #include <map>
 #include <sstream>
 
-#include "bench/run_one.hpp"
-#include "bench/spec_settings.hpp"
+#include "bench/app/spec_settings.hpp"
+#include "bench/harness/run_one.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {

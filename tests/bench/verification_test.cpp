@@ -1,4 +1,4 @@
-#include "bench/verification.hpp"
+#include "bench/harness/verification.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "bench/commands.hpp"
-#include "bench/loaded_case.hpp"
-#include "bench/vtk_series.hpp"
+#include "bench/app/commands.hpp"
+#include "bench/app/loaded_case.hpp"
+#include "bench/output/vtk_poly_data.hpp"
+#include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
-#include "reports/vtk_poly_data.hpp"
 #include "small_press.hpp"
 #include "temporary_case.hpp"
 

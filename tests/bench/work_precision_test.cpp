@@ -1,14 +1,14 @@
 /// The work-precision sweep: every method on a ladder, and who wins where.
 
-#include "bench/work_precision.hpp"
+#include "bench/harness/work_precision.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "case/scene.hpp"
 #include "core/options.hpp"
 #include "integrators/registry.hpp"
-#include "scene/scene.hpp"
 
 namespace superstep {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "integrators/staggered/sintering_case.hpp"
+#include "integrators/press/sintering_case.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "integrators/staggered/checkpoint.hpp"
+#include "integrators/press/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/text_file.hpp"
-#include "integrators/staggered/sintering_case.hpp"
+#include "integrators/press/sintering_case.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"
 

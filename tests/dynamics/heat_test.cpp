@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/moving_network.hpp"
-#include "integrators/staggered/thermal_bridge.hpp"
+#include "integrators/press/thermal_bridge.hpp"
 #include "press.hpp"
 #include "rhs/network_rhs.hpp"
 

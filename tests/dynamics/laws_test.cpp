@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "dynamics/damping.hpp"
-#include "dynamics/friction.hpp"
+#include "dynamics/laws/damping.hpp"
+#include "dynamics/laws/friction.hpp"
 #include "dynamics/volume_fraction.hpp"
 #include "press.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "integrators/staggered/motion.hpp"
+#include "integrators/press/motion.hpp"
 #include "packing/random.hpp"
 
 namespace superstep::test {

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "dynamics/random_addition.hpp"
-#include "integrators/staggered/step_control.hpp"
+#include "integrators/press/step_control.hpp"
 #include "press.hpp"
 
 namespace superstep {

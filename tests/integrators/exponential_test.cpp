@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "integrators/detail/chebyshev_exponential.hpp"
-#include "integrators/detail/lanczos_propagator.hpp"
+#include "integrators/detail/exponential/chebyshev_exponential.hpp"
+#include "integrators/detail/exponential/lanczos_propagator.hpp"
 #include "integrators/registry.hpp"
 #include "support/problem.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "integrators/detail/shifted_solver.hpp"
+#include "integrators/detail/implicit/shifted_solver.hpp"
 #include "integrators/registry.hpp"
 #include "support/band.hpp"
 #include "support/problem.hpp"

@@ -10,9 +10,9 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "integrators/detail/rock_finish.hpp"
-#include "integrators/detail/rock_polynomial.hpp"
-#include "integrators/detail/stabilised_schemes.hpp"
+#include "integrators/detail/explicit/rock_finish.hpp"
+#include "integrators/detail/explicit/rock_polynomial.hpp"
+#include "integrators/detail/explicit/stabilised_schemes.hpp"
 #include "integrators/registry.hpp"
 #include "support/problem.hpp"
 #include "support/small_system.hpp"

@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "integrators/detail/explicit/super_step.hpp"
+#include "integrators/detail/explicit/three_term.hpp"
 #include "integrators/detail/run_guard.hpp"
-#include "integrators/detail/super_step.hpp"
-#include "integrators/detail/three_term.hpp"
 #include "integrators/registry.hpp"
 #include "support/problem.hpp"
 

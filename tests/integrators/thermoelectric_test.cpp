@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "integrators/detail/duhamel_coefficients.hpp"
+#include "integrators/detail/exponential/duhamel_coefficients.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
 #include "support/problem.hpp"

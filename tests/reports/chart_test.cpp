@@ -1,4 +1,4 @@
-#include "reports/chart.hpp"
+#include "reports/chart/chart.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <set>
 
 #include "integrators/registry.hpp"
-#include "reports/chart_packing.hpp"
-#include "reports/chart_scale.hpp"
+#include "reports/chart/chart_packing.hpp"
+#include "reports/chart/chart_scale.hpp"
 #include "support/markup.hpp"
 
 namespace superstep {

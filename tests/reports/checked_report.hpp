@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "reports/report_html.hpp"
+#include "reports/html/report_html.hpp"
 #include "support/markup.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,9 +1,9 @@
-#include "reports/csv_table.hpp"
+#include "results/text/csv_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "reports/csv_text.hpp"
+#include "results/text/csv_text.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace superstep {

@@ -1,4 +1,4 @@
-#include "reports/gate.hpp"
+#include "reports/gate/gate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "reports/compare.hpp"
-#include "reports/results_json.hpp"
+#include "reports/gate/compare.hpp"
+#include "results/results_json.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace superstep {

@@ -1,4 +1,4 @@
-#include "reports/html_text.hpp"
+#include "results/text/html_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/markdown_summary.hpp"
+#include "reports/text/markdown_summary.hpp"
 
 #include <gtest/gtest.h>
 

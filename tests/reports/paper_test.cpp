@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "reports/like_for_like.hpp"
-#include "reports/paper_parts.hpp"
+#include "reports/html/like_for_like.hpp"
+#include "reports/html/sections/paper_parts.hpp"
 #include "sample_report.hpp"
 
 namespace superstep {

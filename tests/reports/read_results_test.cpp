@@ -1,11 +1,11 @@
-#include "reports/read_results.hpp"
+#include "results/read_results.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "reports/observations_csv.hpp"
-#include "reports/read_work_precision.hpp"
-#include "reports/results_json.hpp"
+#include "results/observations_csv.hpp"
+#include "results/read_work_precision.hpp"
+#include "results/results_json.hpp"
 #include "sample_report.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 /// The report as a whole: complete without scripts, harmless whatever the names, sensible whatever is
 /// missing.
 
-#include "reports/report_html.hpp"
+#include "reports/html/report_html.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 
 #include "checked_report.hpp"
 #include "core/error.hpp"
-#include "reports/observations_csv.hpp"
-#include "reports/published.hpp"
-#include "reports/results_json.hpp"
+#include "reports/html/published.hpp"
+#include "results/observations_csv.hpp"
+#include "results/results_json.hpp"
 #include "sample_report.hpp"
 #include "support/markup.hpp"
 #include "support/temporary_folder.hpp"

@@ -3,10 +3,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "reports/csv_text.hpp"
-#include "reports/results_csv.hpp"
-#include "reports/results_json.hpp"
-#include "reports/results_table.hpp"
+#include "results/results_csv.hpp"
+#include "results/results_json.hpp"
+#include "results/results_table.hpp"
+#include "results/text/csv_text.hpp"
 
 namespace superstep {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "reports/results.hpp"
-#include "reports/work_precision.hpp"
+#include "results/results.hpp"
+#include "results/work_precision.hpp"
 
 namespace superstep::test {
 

@@ -8,8 +8,8 @@
 
 #include "checked_report.hpp"
 #include "core/error.hpp"
-#include "reports/read_motion.hpp"
-#include "reports/results_json.hpp"
+#include "results/read_motion.hpp"
+#include "results/results_json.hpp"
 #include "sample_report.hpp"
 
 namespace superstep {

@@ -1,4 +1,4 @@
-#include "reports/thinning.hpp"
+#include "reports/html/thinning.hpp"
 
 #include <gtest/gtest.h>
 

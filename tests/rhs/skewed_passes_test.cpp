@@ -1,4 +1,4 @@
-#include "rhs/skewed_passes.hpp"
+#include "rhs/kernels/skewed_passes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "rhs/sweep.hpp"
+#include "rhs/kernels/sweep.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
 
 #include <cmath>
 
-#include "rhs/field_operator.hpp"
+#include "rhs/kernels/field_operator.hpp"
 #include "support/problem.hpp"
 
 namespace superstep {

@@ -1,0 +1,113 @@
+/// superstep list: what can be chosen by name.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "bench/app/commands.hpp"
+#include "contact/neck.hpp"
+#include "core/error.hpp"
+#include "core/toml.hpp"
+#include "integrators/registry.hpp"
+#include "results/text/text_table.hpp"
+
+namespace superstep {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct FoundCase {
+  std::string file, title;
+};
+
+// Cases of the current folder; one that cannot be read is listed without a title, `info` says what is wrong
+// with it.
+std::vector<FoundCase> find_cases() {
+  namespace fs = std::filesystem;
+  std::vector<FoundCase> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator("cases", error)) {
+    if (entry.path().extension() != ".toml") continue;
+    FoundCase one{.file = entry.path().string(), .title = {}};
+    try {
+      one.title = TomlTable::parse_file(one.file).string("title").value_or("");
+    } catch (const InputError&) {
+      one.title = "(unreadable)";
+    }
+    found.push_back(std::move(one));
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
+  return found;
+}
+
+std::string integrator_text(const IntegratorEntry& entry, bool color) {
+  std::string out = fmt::format("  {}  {}\n      {}\n", styled(entry.name, Style::bold, color), entry.summary,
+                                entry.source);
+  for (const auto& key : entry.keys)
+    out += fmt::format("      {:<9} {}{}\n                {}\n", key.name, key.range(),
+                       key.fallback.empty() ? "" : "; default " + key.fallback, key.meaning);
+  return out;
+}
+
+std::string list_text(const std::vector<FoundCase>& cases, bool color) {
+  std::string out =
+      styled("Integrators", Style::bold, color) + "  (SPEC = name or name:key=value,key=value)\n";
+  for (const auto& entry : integrators()) out += integrator_text(entry, color);
+  out += "\n" + styled("Neck laws", Style::bold, color) + "  ([contact] neck = \"...\")\n";
+  for (const auto& law : neck_laws())
+    out += fmt::format("  {:<18} {}  [{}]\n", law.name, law.formula, law.source);
+  out += "\n" + styled("Cases", Style::bold, color) + "\n";
+  for (const auto& one : cases) out += fmt::format("  {}  {}\n", one.file, one.title);
+  if (cases.empty()) out += "  none: there is no folder cases/ here\n";
+  return out;
+}
+
+Json key_json(const OptionKey& key) {
+  return {{"name", key.name},
+          {"range", key.range()},
+          {"default", key.fallback},
+          {"unit", key.unit},
+          {"meaning", key.meaning}};
+}
+
+std::string list_json(const std::vector<FoundCase>& cases) {
+  Json out = {{"schema", "superstep.list"},
+              {"schema_version", 1},
+              {"integrators", Json::array()},
+              {"neck_laws", Json::array()},
+              {"cases", Json::array()}};
+  for (const auto& entry : integrators()) {
+    Json keys = Json::array();
+    for (const auto& key : entry.keys) keys.push_back(key_json(key));
+    out["integrators"].push_back({{"name", entry.name},
+                                  {"summary", entry.summary},
+                                  {"source", entry.source},
+                                  {"order", entry.order},
+                                  {"adaptive", entry.adaptive},
+                                  {"keys", keys}});
+  }
+  for (const auto& law : neck_laws())
+    out["neck_laws"].push_back({{"name", law.name},
+                                {"formula", law.formula},
+                                {"source", law.source},
+                                {"parameters", law.parameters}});
+  for (const auto& one : cases) out["cases"].push_back({{"file", one.file}, {"title", one.title}});
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+int execute(const ListCommand& command) {
+  const auto cases = find_cases();
+  print_data(command.common.json ? list_json(cases) : list_text(cases, use_color(command.common.color)));
+  return 0;
+}
+
+int execute(const ShowText& command) {
+  print_data(command.text);
+  return 0;
+}
+
+}  // namespace superstep

@@ -1,0 +1,140 @@
+/// superstep run: integrate a case with one or several methods and write the fields.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "bench/app/commands.hpp"
+#include "bench/app/loaded_case.hpp"
+#include "bench/app/spec_settings.hpp"
+#include "bench/console/interrupt.hpp"
+#include "bench/harness/run_check.hpp"
+#include "bench/harness/run_one.hpp"
+#include "bench/output/output_folder.hpp"
+#include "bench/output/run_files.hpp"
+#include "bench/output/vtk_series.hpp"
+#include "core/error.hpp"
+#include "integrators/press/sintering_case.hpp"
+
+namespace superstep {
+namespace {
+
+std::vector<std::string> specs_of(const RunCommand& command) {
+  std::vector<std::string> specs = command.integrators;
+  if (specs.empty()) specs = {"auto"};
+  if (command.tolerance)
+    for (auto& spec : specs) spec = with_tolerance(spec, *command.tolerance);
+  return specs;
+}
+
+// One folder for one SPEC, else one below it for each; equal names get a number.
+std::vector<std::string> folders_of(const std::string& out, const std::vector<std::string>& specs) {
+  if (specs.size() == 1) return {out};
+  std::vector<std::string> folders;
+  std::map<std::string, int> seen;
+  for (const auto& spec : specs) {
+    const std::string name = folder_name(spec);
+    const int count = ++seen[name];
+    folders.push_back(fmt::format("{}/{}{}", out, name, count > 1 ? fmt::format("-{}", count) : ""));
+  }
+  return folders;
+}
+
+struct FinishedRun {
+  RunResult result;
+  std::optional<RunCheck> check;
+  std::vector<std::vector<double>> states;  ///< at output times, where they are to be verified
+  std::vector<double> final_state;
+};
+
+FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::string& spec, Progress& progress,
+                      VtkSeries* vtk, bool verified) {
+  FinishedRun run;
+  RunRequest request{.probes = &probes, .stop = &stop_flag(), .progress = &progress};
+  request.observe = [&](std::size_t output, double t, std::span<const double> state) {
+    if (vtk) vtk->add(t, state);
+    if (verified) run.states.emplace_back(state.begin(), state.end());
+    if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
+  };
+  progress.begin(spec, scene.t_end);
+  run.result = run_one(scene, spec, request);
+  progress.end();
+  if (verified && run.result.outcome.ok()) {
+    run.check = check_run(scene, spec, run.result, run.states, stop_flag(), progress);
+    run.result.outcome = judge_check(scene, *run.check);
+  }
+  return run;
+}
+
+/// What is known of the error: what `--verify` found, else the bound of a method that has one.
+std::string error_text(const Scene& scene, const RunResult& run, const std::optional<RunCheck>& check) {
+  if (check && !check->outcome.ok())
+    return fmt::format(" (not verified: {}: {})", check->spec, check->outcome.reason);
+  std::string out;
+  const auto fields = scene.rhs->fields();
+  for (std::size_t f = 0; check && f < check->distance.size(); ++f) {
+    out += fmt::format("{}{} within {:.2g} {} rms of {}", f > 0 ? ", " : " (", fields[f].name,
+                       check->distance[f], fields[f].unit, check->spec);
+    if (check->delivered[f]) out += fmt::format(", {:.2g} of the tolerance", *check->delivered[f]);
+  }
+  if (check) return out + ")";
+  if (run.statistics.error_bound > 0)
+    return fmt::format(" (error below {:.1e} of the span)", run.statistics.error_bound);
+  return " (not verified)";
+}
+
+std::string summary(const Scene& scene, const std::string& spec, const RunResult& run,
+                    const std::optional<RunCheck>& check, const std::string& folder) {
+  if (!run.outcome.ok())
+    return fmt::format("{}: {}: {}\n", spec, status_name(run.outcome.status), run.outcome.reason);
+  const std::string choice = run.choice.empty() ? "" : fmt::format("  {}\n", run.choice);
+  return fmt::format("{}: ok{}, {} steps, {} sweeps, {:.3g} s CPU; {}\n{}", spec,
+                     error_text(scene, run, check), run.statistics.steps, run.sweeps,
+                     run.cpu_pilot + run.cpu_prepare + run.cpu_stepping, folder, choice);
+}
+
+}  // namespace
+
+int execute(const RunCommand& command) {
+  if (dynamics::is_sintering_case(command.case_file)) return run_sintering(command);
+  if (command.checkpoint || !command.restart.empty())
+    throw UsageError("run: --checkpoint and --restart need a case with moving particles ([dynamics])");
+  check_specs(command.integrators);
+  const auto [scene, cpu_setup] = load_case(command.case_file);
+  if (command.vtk) require_packing(scene, "--vtk");
+  const auto specs = specs_of(command);
+  const auto folders =
+      folders_of(command.out.empty() ? default_output_folder(scene.name) : command.out, specs);
+  for (const auto& folder : folders) require_writable_folder(folder);
+  const bool quiet = command.common.quiet;
+  if (!quiet) warn(scene.warnings);
+  catch_interrupts();
+
+  Progress progress(!quiet && stderr_is_terminal());
+  const ProbeSet probes(scene);
+  bool all_ok = true;
+  for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
+    std::optional<VtkSeries> vtk;
+    remove_vtk_series(folders[k]);  // old fields beside new ones mislead
+    if (command.vtk) vtk.emplace(scene, folders[k]);
+    const FinishedRun run =
+        integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr, command.verify);
+    RunRecord record = record_run(scene, specs[k], run.result);
+    record.cpu_setup = cpu_setup;
+    record.threads = command.common.threads;
+    if (run.check) add_check(*run.check, record);
+    if (vtk) record.files = vtk->finish();
+    const std::string json = write_run_files(folders[k], scene, probes, run.result, run.final_state, record);
+    if (command.common.json)
+      print_data(json);
+    else if (!quiet || !run.result.outcome.ok())
+      print_data(summary(scene, specs[k], run.result, run.check, folders[k]));
+    all_ok = all_ok && run.result.outcome.ok();
+  }
+  if (stop_flag()) return interrupted_exit_code;
+  return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
+}
+
+}  // namespace superstep

@@ -1,0 +1,33 @@
+/// superstep stability: where each method is safe on a case, by theory and by measurement.
+
+#include "bench/app/commands.hpp"
+#include "bench/console/progress.hpp"
+#include "bench/lab/lab.hpp"
+#include "bench/output/output_folder.hpp"
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "reports/text/stability_report.hpp"
+#include "results/stability_tables.hpp"
+
+namespace superstep {
+
+int execute(const StabilityCommand& command) {
+  if (!command.out.empty()) require_writable_folder(command.out);
+  const Scene scene = load_scene(command.case_file);
+  const bool quiet = command.common.quiet;
+  if (!quiet) warn(scene.warnings);
+  Progress progress(!quiet && stderr_is_terminal());
+  const StabilityResults results = run_stability_lab(scene, command.quick, progress);
+  if (!command.out.empty()) {
+    for (const auto& table : stability_tables(results))
+      write_file_atomically(command.out + "/" + table.file_name(), table.csv());
+    write_file_atomically(command.out + "/stability.json", stability_json(results));
+  }
+  print_data(command.common.json ? stability_json(results)
+                                 : stability_text(results, use_color(command.common.color)));
+  if (is_consistent(results)) return static_cast<int>(ExitCode::ok);
+  note("theory and measurement differ where they must agree; see the verdicts");
+  return static_cast<int>(ExitCode::numerical);
+}
+
+}  // namespace superstep

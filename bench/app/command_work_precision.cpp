@@ -1,0 +1,53 @@
+/// superstep bench --work-precision: every method over a ladder of tolerances.
+
+#include <fmt/format.h>
+
+#include "bench/app/commands.hpp"
+#include "bench/app/loaded_case.hpp"
+#include "bench/console/interrupt.hpp"
+#include "bench/harness/work_precision.hpp"
+#include "bench/output/output_folder.hpp"
+#include "bench/output/report_file.hpp"
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+
+namespace superstep {
+namespace {
+
+std::string folder_of(const WorkPrecisionCommand& command, const Scene& scene) {
+  if (command.out.empty()) return default_output_folder(scene.name);
+  return command.case_files.size() == 1 ? command.out : command.out + "/" + scene.name;
+}
+
+}  // namespace
+
+int execute(const WorkPrecisionCommand& command) {
+  check_specs(command.options.integrators);
+  if (!command.options.reference.empty()) check_specs({command.options.reference});
+  std::vector<LoadedCase> cases;
+  for (const auto& file : command.case_files) cases.push_back(load_case(file));
+  for (const auto& one : cases) require_writable_folder(folder_of(command, one.scene));
+  Progress progress(!command.common.quiet && stderr_is_terminal());
+  WorkPrecisionOptions options = command.options;
+  options.threads = command.common.threads;
+  options.stop = &stop_flag();
+  catch_interrupts();
+
+  bool measured = false;
+  for (const auto& [scene, ignored] : cases) {
+    if (stop_flag()) break;
+    const WorkPrecision study = work_precision(scene, options, progress);
+    for (const auto& point : study.points) measured = measured || point.ok();
+    print_data(work_precision_table(study, use_color(command.common.color)));
+    const std::string file = folder_of(command, scene) + "/work_precision.csv";
+    write_file_atomically(file, work_precision_csv(study));
+    if (!command.common.quiet) note("points in " + file);
+    if (!command.report) continue;
+    const std::string report = write_report(folder_of(command, scene));
+    if (!command.common.quiet) note("report in " + report);
+  }
+  if (stop_flag()) return interrupted_exit_code;
+  return static_cast<int>(measured ? ExitCode::ok : ExitCode::inconclusive);
+}
+
+}  // namespace superstep

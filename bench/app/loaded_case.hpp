@@ -1,0 +1,22 @@
+#pragma once
+/// A case with everything that can be wrong about it checked.
+
+#include <string>
+#include <vector>
+
+#include "case/scene.hpp"
+
+namespace superstep {
+
+struct LoadedCase {
+  Scene scene;
+  double cpu_setup = 0;  ///< CPU time of reading and building it [s]
+};
+
+/// Loads the scene and checks the SPECs of its [bench] table. Throws InputError.
+[[nodiscard]] LoadedCase load_case(const std::string& file);
+
+/// Checks SPECs of the command line. Throws UsageError.
+void check_specs(const std::vector<std::string>& specs);
+
+}  // namespace superstep

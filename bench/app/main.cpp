@@ -1,0 +1,34 @@
+/// The program: parse, call, exit code.
+
+#include <exception>
+#include <new>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/app/cli.hpp"
+#include "bench/app/commands.hpp"
+#include "bench/console/terminal.hpp"
+#include "bench/output/machine.hpp"
+#include "core/error.hpp"
+
+int main(int argc, char** argv) {
+  using namespace superstep;
+  try {
+    const Command command = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));
+    return std::visit(
+        [](const auto& chosen) {
+          if constexpr (requires { chosen.common; }) set_library_threads(chosen.common.threads);
+          return execute(chosen);
+        },
+        command);
+  } catch (const Error& error) {
+    note(std::string("error: ") + error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    note("error: out of memory");
+  } catch (const std::exception& error) {
+    note(std::string("error: internal: ") + error.what());
+  }
+  return static_cast<int>(ExitCode::internal);
+}

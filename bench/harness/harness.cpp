@@ -1,0 +1,341 @@
+#include "bench/harness/harness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "bench/harness/joule_cost.hpp"
+#include "bench/harness/run_one.hpp"
+#include "bench/harness/sampled_errors.hpp"
+#include "bench/harness/verification.hpp"
+#include "bench/harness/yardstick.hpp"
+#include "bench/output/machine.hpp"
+#include "bench/output/observations.hpp"
+#include "bench/output/scene_facts.hpp"
+#include "core/options.hpp"
+#include "core/stopwatch.hpp"
+
+namespace superstep {
+namespace {
+
+/// One method on its way through the benchmark.
+struct Contender {
+  BenchRow row;
+  Outcome outcome;
+  bool verified = false;
+  double time_per_sweep = 0;  ///< s
+  std::vector<double> cpu_total, cpu_prepare, cpu_stepping, wall_stepping, yardstick;
+  std::vector<double> samples;  ///< at the instants of a published table [K or V]
+};
+
+/// A run to the end is timed however wrong it is.
+bool is_timed(const Outcome& outcome) noexcept {
+  return outcome.ok() || outcome.status == Status::inaccurate;
+}
+
+class CaseBench {
+ public:
+  CaseBench(const Scene& scene, double cpu_setup, const HarnessOptions& options, Progress& progress)
+      : scene_(scene),
+        cpu_setup_(cpu_setup),
+        options_(options),
+        progress_(progress),
+        probes_(scene),
+        sampled_(options.sampled, probes_),
+        joule_cost_(scene) {
+    for (const auto& spec : contenders(scene, options.integrators)) contenders_.push_back(enter(spec));
+  }
+
+  BenchCase run() {
+    BenchCase out = describe();
+    find_reference(out);
+    for (auto& contender : contenders_) verify_one(contender);
+    for (auto& contender : contenders_) warm_up(contender);
+    timing_began_ = wall_seconds();
+    for (int round = 0; round < options_.repetitions; ++round) time_round(static_cast<std::size_t>(round));
+    finish(out);
+    out.observations = std::move(observations_);
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Contender enter(const std::string& spec) const;
+  [[nodiscard]] BenchCase describe() const;
+  void find_reference(BenchCase& out);
+  void refuse_to_rank_blindly(BenchCase& out);
+  [[nodiscard]] std::vector<double> spans() const {
+    return reference_ ? reference_->spans : std::vector<double>{};
+  }
+  void verify_one(Contender& contender);
+  void warm_up(Contender& contender);
+  void time_round(std::size_t round);
+  void time_one(Contender& contender);
+  void compare_as_published();
+  void compare_with_baseline();
+  void finish(BenchCase& out);
+  void fail(Contender& contender, const Outcome& outcome) const;
+  [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
+  [[nodiscard]] std::string position(const Contender& contender) const;
+
+  const Scene& scene_;
+  double cpu_setup_;
+  const HarnessOptions& options_;
+  Progress& progress_;
+  ProbeSet probes_;
+  SampledErrors sampled_;
+  JouleCost joule_cost_;
+  Yardstick yardstick_;
+  std::optional<Reference> reference_;
+  std::vector<Contender> contenders_;
+  CaseObservations observations_;
+  double timing_began_ = 0;  // wall clock [s]
+  std::size_t timed_runs_ = 0;
+  std::vector<double> cpu_joule_;  // one a round [s]
+};
+
+Contender CaseBench::enter(const std::string& spec) const {
+  const Spec parsed = parse_spec(spec);
+  Contender contender;
+  BenchRow& row = contender.row;
+  row.spec = spec;
+  row.case_name = scene_.name;
+  row.integrator = parsed.name;
+  row.params = parsed.parameters();
+  row.nodes = scene_.nodes();
+  row.contacts = scene_.fields.front().graph.edges();
+  row.t_end = scene_.t_end;
+  row.threads = options_.threads;
+  return contender;
+}
+
+BenchCase CaseBench::describe() const {
+  BenchCase out;
+  out.name = scene_.name;
+  out.title = scene_.title;
+  out.source = scene_.source;
+  out.baseline = scene_.bench.baseline;
+  out.nodes = scene_.nodes();
+  out.contacts = scene_.fields.front().graph.edges();
+  out.unknowns = scene_.rhs->size();
+  out.t_end = scene_.t_end;
+  out.output_times = scene_.output_times;
+  out.cpu_setup = cpu_setup_;
+  out.unit = scene_.rhs->fields()[main_field(*scene_.rhs)].unit;
+  out.warnings = scene_.warnings;
+  out.skips = skipped_work(scene_);
+  out.sampled = options_.sampled;
+  return out;
+}
+
+void CaseBench::find_reference(BenchCase& out) {
+  if (options_.reference == "none") return;
+  auto result =
+      obtain_reference(scene_, probes_, {options_.reference, options_.use_cache, options_.stop}, progress_);
+  out.warnings.insert(out.warnings.end(), result.warnings.begin(), result.warnings.end());
+  reference_ = std::move(result.reference);
+  if (reference_ && scene_.packed) observations_.slice = slice_of(scene_, *reference_);
+  if (reference_)
+    out.reference = ReferenceFacts{reference_->spec, reference_->from_cache, reference_->cpu_seconds};
+  else if (!stopped())
+    out.warnings.push_back(
+        fmt::format("no errors are measured: the reference did not succeed: {}", result.outcome.reason));
+  if (reference_) refuse_to_rank_blindly(out);
+}
+
+// A reference that is known less well than loose methods are good for cannot say which of them is right.
+void CaseBench::refuse_to_rank_blindly(BenchCase& out) {
+  constexpr double loosest_use = 1e-2;
+  const auto fields = scene_.rhs->fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const double span = reference_->spans[f], bar = reference_->error_bar[f];
+    if (!(span > 0) || bar <= loosest_use * span) continue;
+    out.warnings.push_back(
+        fmt::format("no errors are measured: {} and {} agree on the {} only to {:.2g} of its span",
+                    reference_->spec, reference_->check, fields[f].name, bar / span));
+    out.reference.reset();
+    reference_.reset();
+    return;
+  }
+}
+
+// "3 of 7 sts:n=20": which method is on.
+std::string CaseBench::position(const Contender& contender) const {
+  return fmt::format("{} of {} {}", &contender - contenders_.data() + 1, contenders_.size(),
+                     contender.row.spec);
+}
+
+void CaseBench::fail(Contender& contender, const Outcome& outcome) const {
+  contender.outcome = outcome;
+  contender.cpu_total.clear();
+}
+
+void CaseBench::verify_one(Contender& contender) {
+  if (stopped()) return;
+  progress_.begin("verifying " + position(contender), scene_.t_end);
+  auto result = verify(scene_, probes_, contender.row.spec, reference_ ? &*reference_ : nullptr,
+                       options_.stop, &progress_);
+  progress_.end();
+  if (result.outcome.status == Status::interrupted) return;
+  contender.verified = true;
+  contender.outcome = result.outcome;
+  if (result.errors.empty()) return;
+  const auto curves =
+      probe_curves(scene_, probes_, contender.row.spec, result.history, reference_ ? &*reference_ : nullptr);
+  observations_.curves.insert(observations_.curves.end(), curves.begin(), curves.end());
+  contender.samples = sampled_.samples(result.history);
+  const auto fields = scene_.rhs->fields();
+  contender.row.errors = result.errors[main_field(*scene_.rhs)];
+  for (std::size_t f = 0; fields.size() > 1 && f < fields.size(); ++f)
+    if (fields[f].name == "potential") contender.row.potential = result.errors[f];
+}
+
+// The warm-up is an ordinary run: nothing is tracked, so its counts and its memory are those of the timed
+// runs.
+void CaseBench::warm_up(Contender& contender) {
+  if (stopped() || !contender.verified || contender.outcome.status == Status::refused) return;
+  progress_.begin("warming up " + position(contender), scene_.t_end);
+  reset_peak_memory();
+  RunRequest request{.spans = spans(), .stop = options_.stop, .progress = &progress_};
+  std::optional<SliceRecorder> slice;
+  if (scene_.packed && !observations_.slice) {  // there is no reference to take a picture of
+    slice.emplace(scene_);
+    request.observe = [&](std::size_t k, double t, auto state) { slice->observe(k, t, state); };
+  }
+  const RunResult run = run_one(scene_, contender.row.spec, request);
+  progress_.end();
+  if (run.outcome.status == Status::interrupted) return;
+  if (slice && run.outcome.ok()) observations_.slice = slice->take(contender.row.spec);
+  BenchRow& row = contender.row;
+  row.steps = run.statistics.steps;
+  row.rejected = run.statistics.rejected;
+  row.rhs = run.sweeps;
+  row.jacobians = run.jacobians;
+  row.factorizations = run.statistics.factorizations;
+  row.solves = run.statistics.solves;
+  row.max_stages = static_cast<std::uint64_t>(run.statistics.max_stages);
+  row.choice = run.choice;
+  row.peak_memory_mb = peak_memory_megabytes();
+  contender.time_per_sweep = run.statistics.time_per_sweep;
+  if (contender.outcome.ok() && !run.outcome.ok()) fail(contender, run.outcome);
+}
+
+void CaseBench::time_round(std::size_t round) {
+  for (const std::size_t k : round_order(contenders_.size(), round)) {
+    Contender& contender = contenders_[k];
+    if (stopped() || !contender.verified || !is_timed(contender.outcome)) continue;
+    const double done = static_cast<double>(timed_runs_++), elapsed = wall_seconds() - timing_began_;
+    const double all = static_cast<double>(options_.repetitions) * static_cast<double>(contenders_.size());
+    progress_.begin_timed(fmt::format("round {} of {}: {}: {}", round + 1, options_.repetitions,
+                                      position(contender), progress_text(done, all, elapsed, elapsed)));
+    time_one(contender);
+    progress_.end();
+  }
+  if (stopped()) return;
+  if (const auto cost = joule_cost_.sample()) cpu_joule_.push_back(*cost);
+}
+
+void CaseBench::time_one(Contender& contender) {
+  // Before and after, and the longer the longer the run: both then see the same state of the machine.
+  constexpr double share = 0.04;
+  const double length = contender.cpu_stepping.empty() ? 0 : share * contender.cpu_stepping.back();
+  const double before = yardstick_.seconds(length);
+  const RunResult run = run_one(scene_, contender.row.spec, {.spans = spans(), .stop = options_.stop});
+  if (run.outcome.status == Status::interrupted) return;
+  if (!run.outcome.ok()) return fail(contender, run.outcome);
+  contender.cpu_total.push_back(cpu_setup_ + run.cpu_prepare + run.cpu_stepping);
+  contender.cpu_prepare.push_back(run.cpu_prepare);
+  contender.cpu_stepping.push_back(run.cpu_stepping);
+  contender.wall_stepping.push_back(run.wall_stepping);
+  contender.yardstick.push_back(0.5 * (before + yardstick_.seconds(length)));
+}
+
+Number quotient(double numerator, double denominator) {
+  return numerator > 0 && denominator > 0 ? Number(numerator / denominator) : std::nullopt;
+}
+
+void CaseBench::compare_with_baseline() {
+  const auto baseline = std::find_if(contenders_.begin(), contenders_.end(), [&](const Contender& contender) {
+    return contender.row.spec == scene_.bench.baseline;
+  });
+  if (baseline == contenders_.end() || !baseline->row.cpu_total) return;
+  for (auto& contender : contenders_) {
+    BenchRow& row = contender.row;
+    if (!row.cpu_total) continue;
+    row.speedup_total = quotient(baseline->row.cpu_total->median, row.cpu_total->median);
+    row.speedup_stepping = quotient(baseline->row.cpu_stepping->median, row.cpu_stepping->median);
+    row.speedup_prepared = quotient(*baseline->row.cpu_prepare + baseline->row.cpu_stepping->median,
+                                    *row.cpu_prepare + row.cpu_stepping->median);
+    row.speedup_theory = quotient(contender.time_per_sweep, baseline->time_per_sweep);
+  }
+}
+
+// The baseline may have been verified after others: samples are compared when all are there.
+void CaseBench::compare_as_published() {
+  if (!options_.sampled) return;
+  const bool as_written = options_.sampled->as_written;
+  std::vector<double> subtracted;
+  if (!as_written && reference_) subtracted = sampled_.samples(reference_->history);
+  for (const auto& contender : contenders_)
+    if (as_written && contender.row.spec == scene_.bench.baseline) subtracted = contender.samples;
+  const bool main = scene_.rhs->fields()[main_field(*scene_.rhs)].name == options_.sampled->field;
+  for (auto& contender : contenders_) {
+    if (as_written && contender.row.spec == scene_.bench.baseline) continue;  // nothing but zeros
+    BenchRow& row = contender.row;
+    if (FieldErrors* errors = main ? &row.errors : row.potential ? &*row.potential : nullptr)
+      sampled_.measure(contender.samples, subtracted, *errors);
+  }
+}
+
+void CaseBench::finish(BenchCase& out) {
+  for (auto& contender : contenders_) {
+    BenchRow& row = contender.row;
+    row.status = status_name(contender.outcome.status);
+    row.reason = contender.outcome.reason;
+    row.repetitions = static_cast<int>(contender.cpu_total.size());
+    if (reference_) row.reference = reference_->spec;
+    if (reference_ && reference_->cpu_pilot > 0) row.cpu_pilot = reference_->cpu_pilot;
+    if (contender.cpu_total.empty()) continue;
+    row.cpu_prepare = summarize(contender.cpu_prepare).median;
+    row.cpu_total = summarize(contender.cpu_total);
+    row.cpu_stepping = summarize(contender.cpu_stepping);
+    row.wall_stepping = summarize(contender.wall_stepping);
+    row.cpu_stepping_samples = contender.cpu_stepping;
+    row.yardstick_samples = contender.yardstick;
+  }
+  compare_with_baseline();
+  compare_as_published();
+  if (!cpu_joule_.empty()) out.cpu_joule = summarize(cpu_joule_).median;
+  for (auto& contender : contenders_)
+    if (contender.verified) out.rows.push_back(std::move(contender.row));
+}
+
+}  // namespace
+
+std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked) {
+  std::vector<std::string> specs = asked.empty() ? scene.bench.integrators : asked;
+  if (std::find(specs.begin(), specs.end(), scene.bench.baseline) == specs.end())
+    specs.push_back(scene.bench.baseline);
+  return specs;
+}
+
+std::vector<std::size_t> round_order(std::size_t n, std::size_t round) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < n; ++k) order.push_back((k + round) % n);
+  return order;
+}
+
+Timing summarize(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const std::size_t n = seconds.size();
+  return {
+      .median = 0.5 * (seconds[(n - 1) / 2] + seconds[n / 2]), .min = seconds.front(), .max = seconds.back()};
+}
+
+BenchCase bench_case(const Scene& scene, double cpu_setup, const HarnessOptions& options,
+                     Progress& progress) {
+  return CaseBench(scene, cpu_setup, options, progress).run();
+}
+
+}  // namespace superstep

@@ -1,0 +1,45 @@
+#pragma once
+/// The benchmark of one case: verify every method against the reference, warm up, then time in interleaved
+/// rounds.
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/console/progress.hpp"
+#include "bench/harness/reference.hpp"
+#include "case/scene.hpp"
+#include "results/results.hpp"
+
+namespace superstep {
+
+struct HarnessOptions {
+  std::vector<std::string> integrators;  ///< SPECs; empty = those of the case
+  std::string reference;  ///< SPEC; empty = as the scene needs; "none" = errors are not measured
+  bool use_cache = true;
+  int repetitions = 3;                      ///< timed runs of each method, >= 1
+  int threads = 1;                          ///< recorded beside the timings
+  std::optional<SampledMeasure> sampled;    ///< rule of a published table; empty = nothing is published
+  const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C: what has been verified by then is reported
+};
+
+/// SPECs that a case is benchmarked with: those asked for, else those of the case; the baseline is appended
+/// when it is not among them.
+[[nodiscard]] std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked);
+
+/// Order of n contenders in a round: rotated by one from round to round, so that none always follows the same
+/// one.
+[[nodiscard]] std::vector<std::size_t> round_order(std::size_t n, std::size_t round);
+
+/// Median, smallest and largest; the median of an even number is the mean of the middle two. Not empty.
+[[nodiscard]] Timing summarize(std::vector<double> seconds);
+
+/// Measures one case. Numerical failures are rows, not exceptions.
+///   cpu_setup [s]  CPU time that reading and building the scene took
+[[nodiscard]] BenchCase bench_case(const Scene& scene, double cpu_setup, const HarnessOptions& options,
+                                   Progress& progress);
+
+}  // namespace superstep

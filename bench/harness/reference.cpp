@@ -1,0 +1,206 @@
+#include "bench/harness/reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bench/harness/digest.hpp"
+#include "bench/harness/metrics.hpp"
+#include "bench/harness/reference_cache.hpp"
+#include "bench/harness/reference_pair.hpp"
+#include "bench/harness/run_one.hpp"
+#include "bench/output/machine.hpp"
+#include "core/error.hpp"
+#include "core/options.hpp"
+#include "core/stopwatch.hpp"
+#include "integrators/registry.hpp"
+
+namespace superstep {
+namespace {
+
+// Raised when the same scene and SPEC give other numbers than before, or the meaning of the cached numbers
+// changes.
+constexpr int reference_code_version = 3;
+
+std::string cache_key(const Scene& scene, const std::string& spec) {
+  Digest digest;
+  digest.add_number(reference_code_version).add(program_version()).add(spec);
+  add_scene(digest, scene);
+  return digest.text();
+}
+
+bool fits(const CachedReference& cached, const Scene& scene, const ProbeSet& probes) {
+  const std::size_t fields = scene.rhs->fields().size(), size = scene.rhs->size();
+  const auto whole = [size](const auto& states) {
+    return std::all_of(states.begin(), states.end(), [size](const auto& s) { return s.size() == size; });
+  };
+  return cached.states.size() == scene.output_times.size() && whole(cached.states) && whole(cached.cvode) &&
+         cached.error_bar.size() == fields && cached.spans.size() == fields && cached.scalars.size() == 2 &&
+         cached.history.probes() == probes.entries().size() &&
+         (probes.entries().empty() || cached.history.size() > 0);
+}
+
+std::optional<Reference> from_cache(const std::string& file, const Scene& scene, const ProbeSet& probes) {
+  auto cached = read_cached_reference(file);
+  if (!cached || !fits(*cached, scene, probes)) return std::nullopt;
+  Reference reference;
+  reference.states = std::move(cached->states);
+  reference.cvode = std::move(cached->cvode);
+  reference.error_bar = std::move(cached->error_bar);
+  reference.spans = std::move(cached->spans);
+  reference.inflow = cached->scalars[0];
+  reference.cpu_pilot = cached->scalars[1];
+  reference.history = std::move(cached->history);
+  reference.from_cache = true;
+  return reference;
+}
+
+/// Two families, one after the other, and what their distance says.
+class ReferenceSearch {
+ public:
+  ReferenceSearch(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& wanted,
+                  Progress& progress)
+      : scene_(scene), probes_(probes), wanted_(wanted), progress_(progress), pair_(reference_pair(scene)) {
+    if (wanted.spec.empty() || wanted.spec == pair_.truth) return;
+    pair_ = {wanted.spec, check_of(scene, wanted.spec),
+             parse_spec(wanted.spec).name == "exponential" && scene.rhs->traits().linear};
+  }
+
+  ReferenceResult run() {
+    ReferenceResult result;
+    find_spans_of_scene();
+    reference_.spec = pair_.truth;
+    Run truth = integrate(pair_.truth);
+    result.outcome = truth.outcome;
+    if (!truth.outcome.ok()) return result;
+    Run check = integrate(pair_.check);
+    if (check.outcome.status == Status::interrupted) {
+      result.outcome = check.outcome;
+      return result;
+    }
+    reference_.check = pair_.check;
+    if (check.outcome.ok()) {
+      set_error_bar(truth, check, result.warnings);
+    } else {
+      result.warnings.push_back(
+          fmt::format("the reference is not checked: {}: {}", pair_.check, check.outcome.reason));
+      reference_.error_bar = truth.bound;
+      for (double& bar : reference_.error_bar)
+        if (!pair_.certified) bar = std::numeric_limits<double>::infinity();
+    }
+    // CVODE knows what the probes were between its steps.
+    const bool by_check = pair_.certified && check.outcome.ok();
+    reference_.history = std::move(by_check ? check.history : truth.history);
+    if (by_check) reference_.cvode = std::move(check.states);
+    reference_.states = std::move(truth.states);
+    reference_.inflow = truth.inflow;
+    result.reference = std::move(reference_);
+    return result;
+  }
+
+ private:
+  struct Run {
+    Outcome outcome;
+    std::vector<std::vector<double>> states;
+    std::vector<double> bound;  ///< [fields]
+    ProbeHistory history;
+    double inflow = 0;
+  };
+
+  void find_spans_of_scene() {
+    const double begin = process_cpu_seconds();
+    progress_.begin("span of the fields", scene_.t_end);
+    const Spans found = scene_spans(scene_, wanted_.stop);
+    progress_.end();
+    reference_.spans = found.spans;
+    reference_.spans_how = found.how;
+    if (found.pilot) reference_.cpu_pilot = process_cpu_seconds() - begin;
+  }
+
+  Run integrate(const std::string& spec) {
+    Run run;
+    RunRequest request{.track_inflow = true,
+                       .spans = reference_.spans,
+                       .probes = &probes_,
+                       .stop = wanted_.stop,
+                       .progress = &progress_};
+    request.observe = [&](std::size_t, double, std::span<const double> state) {
+      run.states.emplace_back(state.begin(), state.end());
+    };
+    progress_.begin("reference " + spec, scene_.t_end);
+    RunResult result = run_one(scene_, spec, request);
+    progress_.end();
+    reference_.cpu_seconds += result.cpu_prepare + result.cpu_stepping;
+    run.outcome = result.outcome;
+    run.history = std::move(result.history);
+    run.inflow = result.statistics.inflow;
+    for (std::size_t f = 0; f < reference_.spans.size(); ++f) {
+      const FieldScene& field = scene_field(scene_, scene_.rhs->fields()[f].name);
+      const double magnitude = std::max(std::abs(field.low), std::abs(field.high)) + reference_.spans[f];
+      run.bound.push_back(result.statistics.error_bound * reference_.spans[f] +
+                          roundings * std::numeric_limits<double>::epsilon() * magnitude);
+    }
+    return run;
+  }
+
+  void set_error_bar(const Run& truth, const Run& check, std::vector<std::string>& warnings) {
+    constexpr double reserve = 1.5;  // both may err to the same side
+    const auto fields = scene_.rhs->fields();
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      double distance = 0;
+      for (std::size_t k = 0; k < truth.states.size(); ++k)
+        distance = std::max(distance, deviation(fields[f], check.states[k], truth.states[k]).rms);
+      const double tolerance = make_method(pair_.check)->rtol() * reference_.spans[f];
+      constexpr double proportional = 10;  // times its tolerance, which is what any method may miss by
+      if (pair_.certified && distance <= proportional * tolerance + truth.bound[f]) {
+        reference_.error_bar.push_back(truth.bound[f]);
+        continue;
+      }
+      if (pair_.certified)
+        warnings.push_back(
+            fmt::format("{} and {} differ by {:.2g} {} in the {}, more than they should: that is "
+                        "how well the reference is known",
+                        pair_.truth, pair_.check, distance, fields[f].unit, fields[f].name));
+      reference_.error_bar.push_back(reserve * distance + truth.bound[f]);
+    }
+  }
+
+  static constexpr double roundings = 10;
+
+  const Scene& scene_;
+  const ProbeSet& probes_;
+  const ReferenceRequest& wanted_;
+  Progress& progress_;
+  ReferencePair pair_;
+  Reference reference_;
+};
+
+}  // namespace
+
+ReferenceResult obtain_reference(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& request,
+                                 Progress& progress) {
+  const std::string spec = request.spec.empty() ? reference_pair(scene).truth : request.spec;
+  const std::string file = request.use_cache ? cache_file(cache_key(scene, spec)) : std::string{};
+  ReferenceResult result;
+  if (!file.empty()) result.reference = from_cache(file, scene, probes);
+  if (!result.reference) result = ReferenceSearch(scene, probes, request, progress).run();
+  if (!result.reference) return result;
+  if (result.reference->from_cache) result.reference->spec = spec;
+  if (result.reference->from_cache || file.empty()) return result;
+  try {
+    write_cached_reference(file, {.states = result.reference->states,
+                                  .cvode = result.reference->cvode,
+                                  .error_bar = result.reference->error_bar,
+                                  .spans = result.reference->spans,
+                                  .scalars = {result.reference->inflow, result.reference->cpu_pilot},
+                                  .history = result.reference->history});
+  } catch (const OutputError& error) {
+    result.warnings.push_back(fmt::format("the reference is not cached: {}", error.what()));
+  }
+  return result;
+}
+
+}  // namespace superstep

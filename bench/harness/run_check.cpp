@@ -1,0 +1,79 @@
+#include "bench/harness/run_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/app/spec_settings.hpp"
+#include "bench/harness/metrics.hpp"
+#include "bench/harness/reference_pair.hpp"
+#include "core/options.hpp"
+#include "integrators/registry.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr double usual_tolerance = 1e-4;  // of runs that have none
+
+/// Another family than the one that ran: `auto` tells in its choice which one that was.
+std::string other_family(const Scene& scene, const std::string& spec, const RunResult& run) {
+  const std::string ran = parse_spec(spec).name == "auto" ? run.choice : spec;
+  const ReferencePair pair = reference_pair(scene);
+  const std::string truth = parse_spec(pair.truth).name;
+  return ran.starts_with(truth) ? pair.check : pair.truth;
+}
+
+}  // namespace
+
+RunCheck check_run(const Scene& scene, const std::string& spec, const RunResult& run,
+                   std::span<const std::vector<double>> states, const std::atomic<bool>& stop,
+                   Progress& progress) {
+  constexpr double tighter = 0.1, tightest = 1e-12;
+  RunCheck check;
+  const double rtol = make_method(spec)->rtol();
+  check.spec = with_tolerance(other_family(scene, spec, run),
+                              std::max(tightest, tighter * (rtol > 0 ? rtol : usual_tolerance)));
+  const auto fields = scene.rhs->fields();
+  check.distance.assign(fields.size(), 0.0);
+  RunRequest request{.spans = run.spans, .stop = &stop, .progress = &progress};
+  request.observe = [&](std::size_t k, double, std::span<const double> state) {
+    for (std::size_t f = 0; f < fields.size(); ++f)
+      check.distance[f] = std::max(check.distance[f], deviation(fields[f], states[k], state).rms);
+  };
+  progress.begin("verifying by " + check.spec, scene.t_end);
+  const RunResult other = run_one(scene, check.spec, request);
+  progress.end();
+  check.outcome = other.outcome;
+  check.spans = other.spans;
+  check.cpu_seconds = other.cpu_pilot + other.cpu_prepare + other.cpu_stepping;
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const double allowed = rtol > 0 && f < check.spans.size() ? rtol * check.spans[f] : 0;
+    check.delivered.push_back(allowed > 0 ? std::optional(check.distance[f] / allowed) : std::nullopt);
+  }
+  return check;
+}
+
+Outcome judge_check(const Scene& scene, const RunCheck& check) {
+  constexpr double times_tolerance = 10, part_of_span = 0.1;
+  if (!check.outcome.ok()) return {};
+  const auto fields = scene.rhs->fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const bool beyond = check.delivered[f] && *check.delivered[f] > times_tolerance;
+    if (!beyond && !(check.distance[f] > part_of_span * check.spans[f])) continue;
+    return {Status::inaccurate,
+            fmt::format("the {} is {:.3g} {} rms away from that of {}; take shorter steps or "
+                        "a tighter tolerance",
+                        fields[f].name, check.distance[f], fields[f].unit, check.spec)};
+  }
+  return {};
+}
+
+void add_check(const RunCheck& check, RunRecord& record) {
+  record.verified_by = check.spec;
+  record.cpu_verify = check.cpu_seconds;
+  if (!check.outcome.ok()) return;
+  for (const auto& delivered : check.delivered)
+    if (delivered) record.delivered = std::max(record.delivered.value_or(0.0), *delivered);
+}
+
+}  // namespace superstep

@@ -1,0 +1,35 @@
+#pragma once
+/// Verification of one integrator against the reference, before anything is timed.
+
+#include <atomic>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/harness/reference.hpp"
+#include "bench/output/probe_set.hpp"
+#include "case/scene.hpp"
+#include "integrators/integrator.hpp"
+#include "results/results.hpp"
+
+namespace superstep {
+
+struct Verification {
+  Outcome outcome;
+  ProbeHistory history;  ///< of the run at the probes
+  std::vector<FieldErrors>
+      errors;  ///< one per field of the right-hand side; empty unless the run came to its end
+};
+
+/// Runs `spec` once, untimed, recording the probes. Without a reference only overshoot is measured. A run
+/// whose error is beyond what anybody can call a result is `inaccurate`.
+[[nodiscard]] Verification verify(const Scene& scene, const ProbeSet& probes, const std::string& spec,
+                                  const Reference* reference, const std::atomic<bool>* stop,
+                                  Progress* progress);
+
+/// Errors at one probe of a run: mean over the transient's step ends and the decay fitted to them.
+///   slot   position of the probe in both histories; t_end [s]
+void measure_probe_errors(const ProbeHistory& run, const ProbeHistory& reference, std::size_t slot,
+                          double t_end, FieldErrors& errors);
+
+}  // namespace superstep

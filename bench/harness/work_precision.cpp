@@ -1,0 +1,128 @@
+#include "bench/harness/work_precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/harness/harness.hpp"
+#include "bench/harness/metrics.hpp"
+#include "bench/harness/reference.hpp"
+#include "bench/harness/run_one.hpp"
+#include "bench/output/probe_set.hpp"
+#include "bench/output/scene_facts.hpp"
+#include "core/error.hpp"
+#include "integrators/registry.hpp"
+#include "rhs/one_way.hpp"
+
+namespace superstep {
+namespace {
+class Sweep {
+ public:
+  Sweep(const Scene& scene, const WorkPrecisionOptions& options, Progress& progress)
+      : scene_(scene),
+        options_(options),
+        progress_(progress),
+        field_(scene.rhs->fields()[main_field(*scene.rhs)]) {}
+
+  WorkPrecision run() {
+    describe();
+    find_reference();
+    const auto specs = options_.integrators.empty() ? work_precision_specs() : options_.integrators;
+    for (const auto& spec : specs) enter(spec);
+    times_.resize(study_.points.size());
+    for (int round = 0; round < options_.repetitions; ++round)
+      for (const std::size_t k : round_order(study_.points.size(), static_cast<std::size_t>(round)))
+        if (!stopped()) measure(k, round == 0);
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      if (study_.points[k].ok() && !times_[k].empty()) study_.points[k].cpu = summarize(times_[k]);
+    std::erase_if(study_.points, [](const auto& point) { return point.status.empty(); });  // never started
+    return std::move(study_);
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
+
+  void describe() {
+    study_.case_name = scene_.name;
+    study_.title = scene_.title;
+    study_.unit = field_.unit;
+    study_.unknowns = scene_.rhs->size();
+    study_.repetitions = options_.repetitions;
+    study_.threads = options_.threads;
+    study_.output_times = scene_.output_times;
+  }
+
+  void find_reference() {
+    const ProbeSet probes(scene_);
+    auto result =
+        obtain_reference(scene_, probes, {options_.reference, options_.use_cache, options_.stop}, progress_);
+    if (!result.reference)
+      throw NumericalError(fmt::format("the reference did not succeed: {}", result.outcome.reason));
+    reference_ = std::move(*result.reference);
+    const std::size_t field = main_field(*scene_.rhs);
+    study_.reference = reference_.spec;
+    study_.reference_error = reference_.error_bar[field];
+    study_.span = reference_.spans[field];
+    if (!(study_.span > 0))
+      throw NumericalError(
+          fmt::format("nothing moves in the {} of {}: there is no error to measure work against", field_.name,
+                      scene_.file));
+  }
+
+  void enter(const std::string& spec) {
+    const Spec parsed = parse_spec(spec);
+    WorkPrecisionPoint point;
+    point.family = family_of(parsed);
+    point.spec = spec;
+    point.integrator = parsed.name;
+    point.params = parsed.parameters();
+    study_.points.push_back(std::move(point));
+  }
+
+  void measure(std::size_t k, bool first) {
+    WorkPrecisionPoint& point = study_.points[k];
+    if (!first && !point.ok()) return;
+    progress_.begin(fmt::format("{} of {} {}", k + 1, study_.points.size(), point.spec), scene_.t_end);
+    RunRequest request{.spans = reference_.spans, .stop = options_.stop, .progress = &progress_};
+    std::vector<double> errors;
+    if (first)
+      request.observe = [&](std::size_t output, double, std::span<const double> state) {
+        errors.push_back(deviation(field_, state, reference_.states[output]).rms);
+      };
+    const RunResult run = run_one(scene_, point.spec, request);
+    progress_.end();
+    if (run.outcome.status == Status::interrupted) return;
+    point.status = status_name(run.outcome.status);
+    point.reason = run.outcome.reason;
+    point.sweeps = run.sweeps;
+    point.steps = run.statistics.steps;
+    if (!run.outcome.ok()) return;
+    times_[k].push_back(run.cpu_prepare + run.cpu_stepping);
+    if (!first) return;
+    point.error_rms = errors;
+    point.worst = *std::max_element(errors.begin(), errors.end());
+    point.worst_relative = point.worst / study_.span;
+  }
+
+  const Scene& scene_;
+  const WorkPrecisionOptions& options_;
+  Progress& progress_;
+  FieldView field_;
+  Reference reference_;
+  WorkPrecision study_;
+  std::vector<std::vector<double>> times_;
+};
+
+}  // namespace
+
+std::vector<std::string> work_precision_specs() {
+  std::vector<std::string> specs;
+  for (const auto& entry : integrators()) specs.insert(specs.end(), entry.ladder.begin(), entry.ladder.end());
+  return specs;
+}
+
+WorkPrecision work_precision(const Scene& scene, const WorkPrecisionOptions& options, Progress& progress) {
+  return Sweep(scene, options, progress).run();
+}
+
+}  // namespace superstep

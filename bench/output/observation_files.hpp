@@ -1,0 +1,19 @@
+#pragma once
+/// Files of a benchmark that only its report reads.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/app/loaded_case.hpp"
+#include "results/results.hpp"
+
+namespace superstep {
+
+/// Writes histories.csv, snapshots.csv and health.json into `folder`, and removes those of an earlier
+/// benchmark that have no successor. Throws OutputError.
+///   loaded  the scenes of `report.cases`, in the same order; there may be more of them
+void write_observation_files(const std::string& folder, const BenchReport& report,
+                             std::span<const LoadedCase> loaded);
+
+}  // namespace superstep

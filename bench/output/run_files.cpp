@@ -1,0 +1,157 @@
+#include "bench/output/run_files.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <vector>
+
+#include "bench/output/machine.hpp"
+#include "bench/output/output_folder.hpp"
+#include "bench/output/scene_facts.hpp"
+#include "core/atomic_file.hpp"
+#include "core/options.hpp"
+#include "core/stopwatch.hpp"
+#include "results/results_json.hpp"
+#include "results/text/csv_text.hpp"
+
+namespace superstep {
+namespace {
+
+using Buffer = fmt::memory_buffer;
+
+template <class... Args>
+void append(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+void append_particle(Buffer& out, const Packing& packing, std::size_t i) {
+  const Vec3& centre = packing.centre[i];
+  append(out, ",{},{},{},{}", centre.x, centre.y, centre.z, packing.radius[i]);
+}
+
+// Fields in the order of the contract.
+std::vector<std::size_t> field_order(const Scene& scene) {
+  std::vector<std::size_t> order;
+  for (const char* name : {"potential", "temperature"})
+    for (std::size_t f = 0; f < scene.fields.size(); ++f)
+      if (scene.fields[f].name == name) order.push_back(f);
+  return order;
+}
+
+double value_at(const ProbeColumn& column, const ProbeHistory& history, double t) {
+  return column.slot < 0 ? column.known_at(t) : history.at(t, static_cast<std::size_t>(column.slot));
+}
+
+void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& history, double t) {
+  append(out, "{}", t);
+  for (const auto& column : probes.columns()) append(out, ",{}", value_at(column, history, t));
+  append(out, "\n");
+}
+
+/// Resistance, current and heat of a scene whose potential is steady: they cost one solve more.
+std::optional<ElectrodeFacts> steady_facts(const Scene& scene) {
+  for (const auto& field : scene.fields)
+    if (field.steady) return electrode_facts(field);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string final_csv(const Scene& scene, double t, std::span<const double> state) {
+  Buffer out;
+  append(out, "id{}", scene.packed ? ",x,y,z,r" : "");
+  std::vector<std::vector<double>> values;
+  for (const std::size_t f : field_order(scene)) {
+    append(out, ",{}", scene.fields[f].name);
+    values.push_back(scene.values_on_nodes(f, t, state));
+  }
+  append(out, "\n");
+  const auto& ids = scene.fields.front().graph.id;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    append(out, "{}", ids[i]);
+    if (scene.packed) append_particle(out, scene.packed->packing, i);
+    for (const auto& value : values) append(out, ",{}", value[i]);
+    append(out, "\n");
+  }
+  return fmt::to_string(out);
+}
+
+std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, double t_end) {
+  Buffer out;
+  append(out, "time");
+  for (const auto& column : probes.columns()) append(out, ",{}", csv_cell(column.name));
+  append(out, "\n");
+  double last = -1;
+  for (std::size_t k = 0; k < history.size() && history.time(k) <= t_end; ++k) {
+    last = history.time(k);
+    append_probes(out, probes, history, last);
+  }
+  // A method with dense output may step past the end; a scene whose probes never change has no history at
+  // all.
+  if (history.size() == 0) append_probes(out, probes, history, 0.0);
+  if (last < t_end) append_probes(out, probes, history, t_end);
+  return fmt::to_string(out);
+}
+
+RunRecord record_run(const Scene& scene, const std::string& spec, const RunResult& run) {
+  const Spec parsed = parse_spec(spec);
+  return {.version = program_version(),
+          .revision = program_revision(),
+          .case_name = scene.name,
+          .title = scene.title,
+          .source = scene.source,
+          .integrator = parsed.name,
+          .params = parsed.parameters(),
+          .choice = run.choice,
+          .status = status_name(run.outcome.status),
+          .reason = run.outcome.reason,
+          .t_end = scene.t_end,
+          .t_reached = run.t_reached,
+          .nodes = scene.nodes(),
+          .contacts = scene.fields.front().graph.edges(),
+          .unknowns = scene.rhs->size(),
+          .steps = run.statistics.steps,
+          .rejected = run.statistics.rejected,
+          .rhs = run.sweeps,
+          .jacobians = run.jacobians,
+          .factorizations = run.statistics.factorizations,
+          .solves = run.statistics.solves,
+          .potential_solves = run.potential_solves,
+          .verified_by = {},
+          .delivered = std::nullopt,
+          .error_bound = run.statistics.error_bound,
+          .spans = run.spans,
+          .cpu_pilot = run.cpu_pilot,
+          .settled_at = run.settled_at,
+          .electrodes = steady_facts(scene),
+          .max_stages = run.statistics.max_stages,
+          .cpu_prepare = run.cpu_prepare,
+          .cpu_stepping = run.cpu_stepping,
+          .wall_stepping = run.wall_stepping,
+          .peak_memory_mb = peak_memory_megabytes(),
+          .files = {},
+          .warnings = scene.warnings,
+          .skips = skipped_work(scene, run),
+          .machine = machine_facts(),
+          .libraries = library_facts()};
+}
+
+std::string write_run_files(const std::string& folder, const Scene& scene, const ProbeSet& probes,
+                            const RunResult& run, std::span<const double> final_state, RunRecord record) {
+  const auto write_or_remove = [&](const std::string& name, bool wanted, auto content) {
+    const std::string path = folder + "/" + name;
+    if (!wanted) return remove_stale_file(path);
+    write_file_atomically(path, content());
+    record.files.push_back(name);
+  };
+  const bool ok = run.outcome.ok();
+  write_or_remove("final.csv", ok, [&] { return final_csv(scene, run.t_reached, final_state); });
+  write_or_remove("probes.csv", ok && !probes.columns().empty(),
+                  [&] { return probes_csv(probes, run.history, scene.t_end); });
+  record.files.emplace_back("run.json");
+  std::string json = run_json(record);
+  write_file_atomically(folder + "/run.json", json);
+  return json;
+}
+
+}  // namespace superstep

@@ -1,0 +1,31 @@
+#pragma once
+/// The files of `superstep run`.
+
+#include <span>
+#include <string>
+
+#include "bench/harness/run_one.hpp"
+#include "bench/output/probe_set.hpp"
+#include "case/scene.hpp"
+#include "results/results.hpp"
+
+namespace superstep {
+
+/// final.csv: every node in the user's order: id, then x,y,z,r [m] when there is a packing, then one column
+/// per field.
+[[nodiscard]] std::string final_csv(const Scene& scene, double t, std::span<const double> state);
+
+/// probes.csv: time [s] and one column per probe and field, at the method's own step ends, from the initial
+/// state to t_end.
+[[nodiscard]] std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, double t_end);
+
+/// What run.json says; set-up time, threads and files are filled in by those who know them.
+[[nodiscard]] RunRecord record_run(const Scene& scene, const std::string& spec, const RunResult& run);
+
+/// Writes final.csv and, when there are probes, probes.csv if the run succeeded, and run.json in any case;
+/// removes those of an earlier run that this one did not produce. Returns the text of run.json. Throws
+/// OutputError.
+std::string write_run_files(const std::string& folder, const Scene& scene, const ProbeSet& probes,
+                            const RunResult& run, std::span<const double> final_state, RunRecord record);
+
+}  // namespace superstep

@@ -1,0 +1,187 @@
+#include "bench/output/thermal_lanes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/options.hpp"
+#include "core/stopwatch.hpp"
+
+namespace superstep {
+namespace {
+
+using dynamics::Motion;
+using dynamics::MovingNetwork;
+using dynamics::SinteringCase;
+using dynamics::ThermalBridge;
+
+/// One method with temperatures of its own.
+struct Lane {
+  Lane(const std::string& lane_spec, std::vector<double> initial, int repetitions)
+      : spec(lane_spec), temperature(std::move(initial)) {
+    for (int k = 0; k < repetitions; ++k) bridges.emplace_back(spec);
+  }
+
+  std::string spec;
+  std::vector<double> temperature;     // [particles] K
+  std::vector<ThermalBridge> bridges;  // one for each repetition, for its costs
+  Outcome outcome;
+  FieldErrors errors;
+};
+
+/// One repetition of one contact update; the first one counts, the others are only timed.
+void advance(Lane& lane, std::size_t repetition, const MovingNetwork& network, double h,
+             const std::vector<double>& begin) {
+  if (!lane.outcome.ok()) return;
+  std::vector<double> temperature = begin;
+  Outcome outcome = lane.bridges[repetition].advance(network, h, temperature);
+  if (repetition == 0) lane.temperature = std::move(temperature);
+  if (!outcome.ok()) lane.outcome = std::move(outcome);
+}
+
+void advance_all(std::vector<Lane>& lanes, std::size_t repetitions, const MovingNetwork& network, double h) {
+  std::vector<std::vector<double>> begin;
+  for (const auto& lane : lanes) begin.push_back(lane.temperature);
+  for (std::size_t k = 0; k < repetitions; ++k)
+    for (const std::size_t lane : round_order(lanes.size(), k))
+      advance(lanes[lane], k, network, h, begin[lane]);
+}
+
+void raise(Number& worst, double value) {
+  worst = std::max(worst.value_or(0.0), value);
+}
+
+/// `span` [K]: range of all temperatures so far, walls included.
+void measure(Lane& lane, const std::vector<double>& exact, double span) {
+  if (!lane.outcome.ok()) return;
+  double sum = 0, largest = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const double difference = std::abs(lane.temperature[i] - exact[i]);
+    sum += difference * difference;
+    largest = std::max(largest, difference);
+  }
+  const double rms = std::sqrt(sum / static_cast<double>(exact.size()));
+  raise(lane.errors.rms, rms);
+  raise(lane.errors.max, largest);
+  if (span > 0) raise(lane.errors.relative_rms, rms / span);
+}
+
+Timing timing_of(const Lane& lane, bool with_building) {
+  std::vector<double> seconds;
+  for (const auto& bridge : lane.bridges)
+    seconds.push_back(bridge.cpu_stepping() + (with_building ? bridge.cpu_building() : 0));
+  return summarize(std::move(seconds));
+}
+
+BenchRow row_of(const SinteringCase& one, const Lane& lane, const HarnessOptions& options) {
+  const Spec spec = parse_spec(lane.spec);
+  BenchRow row;
+  row.case_name = one.name;
+  row.integrator = spec.name;
+  row.params = spec.parameters();
+  row.status = status_name(lane.outcome.status);
+  row.reason = lane.outcome.reason;
+  row.spec = lane.spec;
+  row.nodes = one.particles.size();
+  row.t_end = one.t_end;
+  row.repetitions = options.repetitions;
+  row.threads = options.threads;
+  row.errors = lane.errors;
+  row.reference = options.reference == "none" ? "" : options.reference;
+  if (!lane.outcome.ok()) return row;
+  row.cpu_stepping = timing_of(lane, false);
+  row.cpu_total = timing_of(lane, true);
+  const ThermalBridge& bridge = lane.bridges.front();
+  row.steps = bridge.steps();
+  row.rejected = bridge.rejected();
+  row.rhs = bridge.sweeps();
+  row.max_stages = static_cast<std::uint64_t>(bridge.max_stages());
+  return row;
+}
+
+void compare_with_baseline(BenchCase& result) {
+  const auto baseline = std::find_if(result.rows.begin(), result.rows.end(),
+                                     [&](const BenchRow& row) { return row.spec == result.baseline; });
+  if (baseline == result.rows.end() || !baseline->ok()) return;
+  const double stepping = baseline->cpu_stepping->median, total = baseline->cpu_total->median;
+  for (auto& row : result.rows) {
+    if (row.ok() && row.cpu_stepping->median > 0) row.speedup_stepping = stepping / row.cpu_stepping->median;
+    if (row.ok() && row.cpu_total->median > 0) row.speedup_total = total / row.cpu_total->median;
+  }
+}
+
+std::vector<std::string> specs_of(const SinteringCase& one, const HarnessOptions& options) {
+  std::vector<std::string> specs = options.integrators.empty() ? one.integrators : options.integrators;
+  if (std::find(specs.begin(), specs.end(), one.baseline) == specs.end()) specs.push_back(one.baseline);
+  return specs;
+}
+
+}  // namespace
+
+BenchCase bench_thermal_lanes(const SinteringCase& one, const HarnessOptions& options, Progress& progress) {
+  const bool referenced = options.reference != "none";
+  const auto repetitions = static_cast<std::size_t>(options.repetitions);
+  std::vector<Lane> lanes;
+  for (const auto& spec : specs_of(one, options))
+    lanes.emplace_back(spec, one.state.temperature, options.repetitions);
+  std::vector<Lane> exact;
+  if (referenced) exact.emplace_back(options.reference, one.state.temperature, 1);
+
+  Motion motion(one.model, one.particles, one.stepping);
+  motion.stop = options.stop;
+  std::size_t updates = 0, contacts = 0;
+  double low = one.state.temperature.front(), high = low;
+  motion.observe_step = [&](const MovingNetwork& network, double h) {
+    ++updates;
+    contacts = std::max(contacts, network.contacts().touching());
+    advance_all(lanes, repetitions, network, h);
+    if (referenced) advance_all(exact, 1, network, h);
+    progress.reached(motion.state().time);
+  };
+  progress.begin(one.name, one.t_end);
+  motion.start(one.state);
+  Outcome outcome;
+  for (const double t : one.output_times) {
+    outcome = motion.advance(t);
+    if (!outcome.ok()) break;
+    if (!referenced || !exact.front().outcome.ok()) continue;
+    const auto& truth = exact.front().temperature;
+    const auto [coldest, hottest] = std::minmax_element(truth.begin(), truth.end());
+    low = std::min(low, *coldest);
+    high = std::max(high, *hottest);
+    for (auto& lane : lanes) measure(lane, truth, high - low);
+  }
+  progress.end();
+
+  BenchCase result;
+  result.name = one.name;
+  result.title = one.title;
+  result.source = one.source;
+  result.baseline = one.baseline;
+  result.nodes = one.particles.size();
+  result.contacts = contacts;
+  result.unknowns = one.particles.size();
+  result.t_end = one.t_end;
+  result.output_times = one.output_times;
+  result.unit.push_back('K');  // assigning a literal makes g++ 12 warn about overlapping memory
+  for (auto& lane : lanes) {
+    if (!outcome.ok() && lane.outcome.ok()) lane.outcome = outcome;
+    result.rows.push_back(row_of(one, lane, options));
+    result.rows.back().contacts = contacts;
+  }
+  compare_with_baseline(result);
+  if (referenced) {
+    result.reference = ReferenceFacts{options.reference, false, exact.front().bridges.front().cpu_stepping()};
+    if (!exact.front().outcome.ok())
+      result.warnings.push_back("the reference failed: " + exact.front().outcome.reason);
+  }
+  result.warnings.push_back(
+      fmt::format("every method starts anew after each of the {} contact updates; its preparation is part of "
+                  "its stepping",
+                  updates));
+  return result;
+}
+
+}  // namespace superstep

@@ -1,0 +1,146 @@
+/// superstep info: a press with moving particles, without moving them.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "bench/app/commands.hpp"
+#include "dynamics/laws/damping.hpp"
+#include "dynamics/volume_fraction.hpp"
+#include "integrators/press/sintering_case.hpp"
+
+namespace superstep {
+namespace {
+
+using dynamics::SinteringCase;
+
+struct PressFacts {
+  double volume = 0, mass = 0;  ///< m3, kg
+  double fraction_start = 0;    ///< of the whole box
+  double fraction_pressed = 0;  ///< when every particle lies below the lowest wall
+  double joule_rate = 0;        ///< K/s of a particle that carries the largest current; 0 = none
+  double contact_time = 0;      ///< m C/(kappa A/d) of a pair at 10 % overlap [s]
+  double motion_time = 0;       ///< sqrt(m/k) of the same pair, cold [s]
+  double largest_current = 0;   ///< A
+};
+
+PressFacts facts_of(const SinteringCase& one) {
+  PressFacts facts;
+  const auto& particles = one.particles;
+  const auto& model = one.model;
+  double largest = 0;
+  std::size_t small = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double r = particles.radius[i];
+    facts.volume += 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    facts.mass += particles.mass[i];
+    if (r < particles.radius[small]) small = i;
+    largest = std::max(largest, r);
+  }
+  const Vec3 size = model.box.max - model.box.min;
+  facts.fraction_start = facts.volume / (size.x * size.y * size.z);
+  facts.fraction_pressed =
+      facts.volume / (size.x * size.y * (model.schedule.lowest_wall() - model.box.min.z));
+
+  const double r = particles.radius[small], mass = particles.mass[small];
+  constexpr double strain = 0.1;
+  const double distance = 2 * r * (1 - strain), area = dynamics::pair_area(distance, r, r);
+  const double capacity = mass * model.thermal.specific_heat;
+  if (model.thermal.conductivity > 0)
+    facts.contact_time = capacity * distance / (model.thermal.conductivity * area);
+  const double force = dynamics::contact_force(model.contact, -strain, area, one.state.temperature[small]);
+  if (force > 0)
+    facts.motion_time =
+        std::sqrt(mass / dynamics::contact_slope(force, model.contact.exponent, strain, 2 * r));
+  if (model.electric.model == dynamics::CurrentModel::averaging) {
+    for (const auto& phase : model.schedule.phases())
+      for (const auto& current : {phase.lower, phase.upper})
+        facts.largest_current = std::max(facts.largest_current, std::abs(current.value_or(0.0)));
+    facts.joule_rate = model.electric.absorption * facts.largest_current * facts.largest_current * 4.0 / 3.0 *
+                       std::numbers::pi * r * r * r / model.electric.conductivity / capacity;
+  }
+  return facts;
+}
+
+std::string electrodes_text(const dynamics::Phase& phase, const char* unit) {
+  std::string text;
+  if (phase.lower) text += fmt::format("lower {:.4g} {}", *phase.lower, unit);
+  if (phase.upper) text += fmt::format("{}upper {:.4g} {}", text.empty() ? "" : ", ", *phase.upper, unit);
+  return text.empty() ? "off" : text;
+}
+
+const char* unit_of(const SinteringCase& one) {
+  return one.model.electric.model == dynamics::CurrentModel::potential ? "V" : "A";
+}
+
+std::string info_text(const SinteringCase& one, const PressFacts& facts) {
+  std::string text = fmt::format("{}\n  {}\n", one.name, one.title);
+  const auto line = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<34} {}\n", what, value);
+  };
+  line("particles", fmt::format("{}", one.particles.size()));
+  line("particle volume, mass", fmt::format("{:.6g} m3, {:.6g} kg", facts.volume, facts.mass));
+  line("volume fraction of the box", fmt::format("{:.4f}", facts.fraction_start));
+  line("volume fraction, fully pressed", fmt::format("{:.4f}", facts.fraction_pressed));
+  line("oscillation of a pair", fmt::format("{:.4g} s (sqrt(m/k) at 10 % overlap, cold)", facts.motion_time));
+  line("heat exchange of a pair",
+       fmt::format("{:.4g} s (m C d/(kappa A) at 10 % overlap)", facts.contact_time));
+  if (facts.largest_current > 0)
+    line("Joule heat", fmt::format("{:.4g} K/s at {:.4g} A", facts.joule_rate, facts.largest_current));
+  line("temperatures taken by", one.stepping.thermal_integrator.empty()
+                                    ? std::string("the phi rule inside the iteration")
+                                    : one.stepping.thermal_integrator);
+  line("end", fmt::format("{} s", one.t_end));
+  text += "  phase        from [s]   to [s]  upper wall [m]      current\n";
+  for (const auto& phase : one.model.schedule.phases())
+    text += fmt::format("  {:<12} {:>8.4g} {:>8.4g}  {:>7.4g} -> {:<7.4g}  {}\n", phase.name, phase.begin,
+                        phase.end, phase.upper_wall_begin, phase.upper_wall,
+                        electrodes_text(phase, unit_of(one)));
+  return text;
+}
+
+std::string info_json(const SinteringCase& one, const PressFacts& facts) {
+  using Json = nlohmann::ordered_json;
+  Json phases = Json::array();
+  for (const auto& phase : one.model.schedule.phases())
+    phases.push_back({{"name", phase.name},
+                      {"begin", phase.begin},
+                      {"end", phase.end},
+                      {"upper_wall_begin", phase.upper_wall_begin},
+                      {"upper_wall_end", phase.upper_wall},
+                      {"lower", phase.lower ? Json(*phase.lower) : Json(nullptr)},
+                      {"upper", phase.upper ? Json(*phase.upper) : Json(nullptr)}});
+  const Json out = {{"schema", "superstep.press"},
+                    {"schema_version", 1},
+                    {"case", one.name},
+                    {"title", one.title},
+                    {"source", one.source},
+                    {"particles", one.particles.size()},
+                    {"volume", facts.volume},
+                    {"mass", facts.mass},
+                    {"volume_fraction_start", facts.fraction_start},
+                    {"volume_fraction_pressed", facts.fraction_pressed},
+                    {"pair_oscillation_s", facts.motion_time},
+                    {"pair_heat_exchange_s", facts.contact_time},
+                    {"joule_rate", facts.joule_rate},
+                    {"thermal_integrator", one.stepping.thermal_integrator},
+                    {"t_end", one.t_end},
+                    {"electrode_unit", unit_of(one)},
+                    {"phases", phases}};
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+int info_sintering(const InfoCommand& command) {
+  const SinteringCase one = dynamics::load_sintering_case(command.case_file);
+  const PressFacts facts = facts_of(one);
+  print_data(command.common.json ? info_json(one, facts) : info_text(one, facts));
+  return 0;
+}
+
+}  // namespace superstep

@@ -1,0 +1,51 @@
+#include "integrators/detail/explicit/spectral_radius.hpp"
+
+#include <cmath>
+
+#include "rhs/lanczos.hpp"
+
+namespace superstep {
+
+void SpectralRadius::prepare(Rhs& rhs, std::span<const double> spans) {
+  rhs_ = &rhs;
+  spans_.assign(spans.begin(), spans.end());
+  seen_.clear();
+  if (varies() && !rhs.traits().constant_blocks) seen_.reserve(rhs.size());
+  blocks_ = -1;
+}
+
+bool SpectralRadius::varies() const noexcept {
+  return !rhs_->traits().constant_jacobian &&
+         !(rhs_->traits().constant_blocks && rhs_->facts().radiates == false);
+}
+
+bool SpectralRadius::moved(std::span<const double> y) const noexcept {
+  constexpr double part = 0.01;
+  const auto fields = rhs_->fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const double allowed = part * spans_[f];
+    for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
+      if (!(std::abs(y[i] - seen_[i]) <= allowed)) return true;
+  }
+  return false;
+}
+
+double SpectralRadius::at(double t, std::span<const double> y) {
+  if (rhs_->traits().constant_blocks) {
+    const double beyond = rhs_->radius_beyond_blocks(t, y);
+    if (blocks_ < 0) {
+      const double certified = rhs_->spectral_bound(t, y) - beyond;
+      blocks_ = certified > 0 && sharp_ ? estimate_spectral_radius(*rhs_).safe(certified)
+                                        : std::max(0.0, certified);
+    }
+    return blocks_ + beyond;
+  }
+  constexpr double reserve = 1.03;  // for the states between one evaluation and the next
+  if (seen_.empty() || moved(y)) {
+    bound_ = reserve * rhs_->spectral_bound(t, y);
+    seen_.assign(y.begin(), y.end());
+  }
+  return bound_;
+}
+
+}  // namespace superstep

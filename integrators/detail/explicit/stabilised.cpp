@@ -1,0 +1,162 @@
+#include "integrators/detail/explicit/stabilised.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "integrators/detail/tolerance.hpp"
+
+namespace superstep {
+
+std::vector<OptionKey> stabilised_keys(const StabilisedFamily& family, bool two_orders) {
+  std::vector<OptionKey> keys = {tolerance_key("1e-4")};
+  keys.push_back(
+      {.name = "step", .min = 0, .min_open = true, .unit = "s", .meaning = "fixed step instead of rtol"});
+  keys.push_back({.name = "stages",
+                  .type = OptionKey::Type::integer,
+                  .min = static_cast<double>(two_orders ? 1 : family.fewest_stages),
+                  .max = static_cast<double>(family.most_stages),
+                  .fallback = "as stability asks",
+                  .meaning = "with step: fixed number of stages"});
+  if (two_orders)
+    keys.push_back({.name = "order",
+                    .type = OptionKey::Type::integer,
+                    .min = 1,
+                    .max = 2,
+                    .fallback = "2",
+                    .meaning = "order in time"});
+  return keys;
+}
+
+Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
+    : family_(family),
+      rtol_(options.number("rtol").value_or(1e-4)),
+      fixed_step_(options.number("step").value_or(0.0)),
+      fixed_stages_(options.integer("stages").value_or(0)) {
+  static const std::array<std::string, 2> one_of = {"rtol", "step"};
+  options.at_most_one_of(one_of);
+  if (fixed_stages_ == 0) return;
+  if (!(fixed_step_ > 0))
+    throw UsageError(
+        fmt::format("{}: stages goes with step; add step=..., or leave stages out", options.spec().name));
+  const bool odd_needed = family.stage_step == 2 && fixed_stages_ % 2 == 0;
+  if (fixed_stages_ < family.fewest_stages || odd_needed)
+    throw UsageError(fmt::format("{}: stages = {} is not valid; it must be {}>= {}", options.spec().name,
+                                 fixed_stages_, family.stage_step == 2 ? "odd and " : "",
+                                 family.fewest_stages));
+}
+
+void Stabilised::prepare(Rhs& rhs, const Task& task) {
+  rhs_ = &rhs;
+  norm_.prepare(rhs, task.allowed);
+  radius_.prepare(rhs, task.spans);
+  const bool finishing = family_.order == 4;
+  engine_.resize(rhs.size(), finishing);
+  for (auto* v : {&derivative_, &next_derivative_}) v->resize(rhs.size());
+  // A nonlinear right-hand side sees the state with its roundings, not only the change within the step.
+  constexpr double state_over_change = 16;
+  const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
+  const double of_values = task.rounding > 0 ? std::numeric_limits<double>::epsilon() / task.rounding : rtol_;
+  stage_limit_ = family_.stages_within_rounding(finishing && !by_change ? of_values / state_over_change
+                                                : finishing             ? rtol_
+                                                                        : of_values);
+  for (auto* v : {&scheme_.m, &scheme_.n, &scheme_.mt, &scheme_.gt, &scheme_.c})
+    v->reserve(static_cast<std::size_t>(family_.most_stages) + 1);
+  scheme_.stages = 0;
+}
+
+double Stabilised::own_step(double t, std::span<const double> y) {
+  if (fixed_step_ > 0) return fixed_step_;
+  const double radius = radius_.at(t, y);
+  return radius > 0 ? 1 / radius : std::numeric_limits<double>::infinity();
+}
+
+double Stabilised::longest_step(double t, std::span<const double> y) {
+  radius_now_ = radius_.at(t, y);
+  return radius_now_ > 0 ? family_.beta(stage_limit_) / radius_now_ : std::numeric_limits<double>::infinity();
+}
+
+double Stabilised::stable_step(double t, std::span<const double> y) {
+  const double radius = radius_.at(t, y);
+  return radius > 0 ? scheme_.beta / radius : std::numeric_limits<double>::infinity();
+}
+
+/// The stages that a step needs are enough for a slightly longer one; taking it wastes no sweep, and the
+/// controller's safety factor covers the difference.
+double Stabilised::convenient(double h, double longest) const {
+  constexpr double longest_stretch = 1.1;
+  if (!(radius_now_ > 0)) return h;
+  const double full = family_.beta(family_.stages_for(std::min(h, longest) * radius_now_)) / radius_now_;
+  return std::min(longest_stretch * h, full);
+}
+
+/// Local errors add up to about a multiple of (local tolerance)^(p/(p+1)) on relaxing networks: a step's
+/// share grows with rtol^(1/p). The constants are measured by the audit (tests/audit).
+double Stabilised::share() const {
+  if (family_.order == 4) return std::min(1.0, 0.15 * std::pow(rtol_, -0.1));
+  return family_.order == 1 ? std::min(0.25, 10 * rtol_) : std::min(0.7, 30 * std::sqrt(rtol_));
+}
+
+void Stabilised::restart(double t, std::span<const double> y, bool /*smooth*/) {
+  if (fixed_step_ == 0 || family_.order >= 2) (*rhs_)(t, y, derivative_);
+}
+
+Trial Stabilised::attempt(const Step& step, StateVector& state, StateVector& next) {
+  const double h = step.h();
+  if (fixed_stages_ == 0 && fixed_step_ > 0) radius_now_ = radius_.at(step.t, state);
+  const int stages = fixed_stages_ > 0 ? fixed_stages_ : family_.stages_for(h * radius_now_);
+  if (stages > family_.most_stages)
+    return {
+        .solved = false,
+        .reason = fmt::format("more than {} stages are needed; take a smaller step", family_.most_stages)};
+  if (scheme_.stages != stages) family_.build(stages, scheme_);
+  most_stages_ = std::max(most_stages_, stages);
+  engine_.step(*rhs_, scheme_, step.t, h, state, derivative_);
+  std::swap(next, engine_.result());
+  if (fixed_step_ > 0) return {};
+  return {.error =
+              scheme_.finish ? estimate_error_of_finish(h, state, next) : estimate_error(step, state, next)};
+}
+
+double Stabilised::estimate_error_of_finish(double h, const StateVector& y, const StateVector& next) const {
+  const auto& b = scheme_.finish->embedded;
+  const auto& [f1, f2, f3, f4] = engine_.slopes();
+  // The estimate is that of the embedded result of order three, which is given up for the one of order four.
+  constexpr double given_up = 0.2;
+  return given_up * scheme_.finish->estimate_scale * norm_.of([&](std::size_t i) {
+    return next[i] - y[i] - h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]);
+  });
+}
+
+/// Error of the trial step from the derivatives at both ends:
+///   order 2: 12 (1/6 - c_3) ((y_n - y_{n+1}) + h/2 (F_n + F_{n+1})),  order 1: (1/2 - c_2) h (F_{n+1} - F_n)
+/// with c_k the Taylor coefficients of the scheme's own stability polynomial.
+double Stabilised::estimate_error(const Step& step, const StateVector& y, const StateVector& next) {
+  const double h = step.h();
+  (*rhs_)(step.ends.front(), next, next_derivative_);
+  const auto &f = derivative_, &f_next = next_derivative_;
+  if (family_.order == 1) {
+    const double factor = (0.5 - taylor_coefficient(scheme_, 2)) * h;
+    return norm_.of([&](std::size_t i) { return factor * (f_next[i] - f[i]); });
+  }
+  const double factor = 12 * (1.0 / 6.0 - taylor_coefficient(scheme_, 3));
+  return norm_.of([&](std::size_t i) { return factor * (y[i] - next[i] + h / 2 * (f[i] + f_next[i])); });
+}
+
+void Stabilised::accept(const Step& step, std::span<const double> state) {
+  const bool is_known = fixed_step_ == 0 && !scheme_.finish;
+  const bool is_used = fixed_step_ == 0 || scheme_.uses_first_derivative;
+  if (!is_known && is_used) (*rhs_)(step.ends.front(), state, next_derivative_);
+  if (is_used) std::swap(derivative_, next_derivative_);
+}
+
+void Stabilised::add_counts(Statistics& statistics) const {
+  statistics.max_stages = std::max(statistics.max_stages, most_stages_);
+}
+
+}  // namespace superstep

@@ -1,0 +1,30 @@
+#pragma once
+/// exp(-t A) by Chebyshev polynomials on [0, rho]: one fused sweep a term, error known beforehand.
+
+#include "integrators/detail/exponential/chebyshev_exponential.hpp"
+#include "integrators/detail/exponential/instant_batch.hpp"
+
+namespace superstep {
+
+class ChebyshevPropagator final : public InstantBatch, private ChainObserver {
+ public:
+  /// rtol: error at each output time relative to the span of the field, in the capacity-weighted rms norm.
+  using InstantBatch::InstantBatch;
+
+ private:
+  void allocate() override;
+  [[nodiscard]] Outcome propagate(std::span<Output> outputs) override;
+  void entries_done(std::size_t stage, std::size_t first, std::size_t last) override;
+  void add_pair(std::size_t k, const double* u, const double* next, std::size_t first, std::size_t last);
+  void add_probes(std::size_t k, const double* u, std::size_t first, std::size_t last);
+  void add_inflow(std::size_t k, double inflow);
+
+  StateVector u_, next_;
+  std::vector<std::vector<double>> coefficients_, integrals_;  ///< one list per output
+  // Of the pass under way:
+  std::span<Output> outputs_;
+  std::span<const ChainedStage> chain_;
+  std::size_t terms_ = 0, chain_begin_ = 0;  ///< number of the first U_k that the chain makes
+};
+
+}  // namespace superstep

@@ -1,0 +1,119 @@
+#include "integrators/detail/exponential/instant_batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace superstep {
+namespace {
+
+constexpr std::size_t most_states = 8;  // held at once
+
+}  // namespace
+
+void InstantBatch::prepare(Rhs& rhs, const Task& task) {
+  if (!rhs.traits().linear || !rhs.traits().symmetric)
+    throw Refused("the exponential needs a linear scene: constant conductances and no radiation");
+  rhs_ = &rhs;
+  plan_ = task.plan;
+  origin_.resize(rhs.size());
+  SpectralRadius radius;
+  radius.prepare(rhs, task.spans);
+  radius_ = radius.at(task.t_begin, origin_);
+  span_ = task.spans.front();
+  const std::size_t states = plan_->full_states ? plan_->output_times.size() : 1;
+  const auto passes = task.propagations + (states - 1) / most_states;
+  const auto capacity = rhs.capacities();
+  double total = 0, smallest = std::numeric_limits<double>::infinity();
+  for (const double c : capacity) {
+    total += c;
+    smallest = std::min(smallest, c);
+  }
+  if (!capacity.empty())
+    rms_over_weighted_ = std::sqrt(total / (static_cast<double>(capacity.size()) * smallest));
+  // Truncation is bounded in the capacity-weighted norm. Where inputs drive small capacities its error may
+  // lie in them alone; transients from a state spread it.
+  const auto& facts = rhs.facts().fields.front();
+  const bool driven = facts.has_sources || !facts.ambient.empty() || !rhs.traits().autonomous;
+  const double norm = driven ? rms_over_weighted_ : std::sqrt(rms_over_weighted_);
+  tolerance_ =
+      part_ * (span_ > 0 ? task.allowed.front() / span_ : rtol_) / (norm * static_cast<double>(passes));
+  magnitude_ = span_ > 0 ? 1 + plan_->ranges.back().magnitude() / span_ : 1;
+  states_.assign(std::min(states, most_states), StateVector(rhs.size()));
+  allocate();
+}
+
+void InstantBatch::begin(double t, double /*end*/, std::span<const double> y,
+                         std::span<const Instant> instants, bool /*smooth*/) {
+  std::copy(y.begin(), y.end(), origin_.begin());
+  current_ = origin_;
+  instants_ = instants;
+  t_ = t_batch_ = t;
+  batch_begin_ = batch_size_ = recorded_ = reached_ = 0;
+  inflow_before_ = inflow_;
+}
+
+Outcome InstantBatch::no_exchange(std::span<Output> outputs) {
+  // Linear between breakpoints: the rate at the middle of the time gone by is its mean.
+  std::vector<double> rate(rhs_->size());
+  for (auto& output : outputs) {
+    const double middle = t_batch_ + 0.5 * output.elapsed;
+    (*rhs_)(middle, origin_, rate);
+    const auto value = [&](std::size_t i) { return origin_[i] + output.elapsed * rate[i]; };
+    for (std::size_t i = 0; i < output.state.size(); ++i) output.state[i] = value(i);
+    for (std::size_t p = 0; p < plan_->probes.size(); ++p) output.probes[p] = value(plan_->probes[p]);
+    output.inflow = plan_->track_inflow ? output.elapsed * rhs_->inflow(middle, origin_) : 0;
+  }
+  return {};
+}
+
+/// As many instants as there is room for states; the last one has a state, from which the next batch goes on.
+Outcome InstantBatch::compute_batch(std::size_t first) {
+  std::size_t states = 0;
+  outputs_.resize(instants_.size() - first);
+  batch_begin_ = first;
+  batch_size_ = 0;
+  for (std::size_t k = 0; k < outputs_.size() && states < states_.size(); ++k) {
+    auto& output = outputs_[k];
+    const auto& instant = instants_[first + k];
+    output.elapsed = instant.t - t_batch_;
+    output.state = instant.state ? std::span<double>(states_[states++]) : std::span<double>();
+    output.probes.resize(plan_->probes.size());
+    if (instant.state) batch_size_ = k + 1;
+  }
+  ++passes_;
+  return propagate(std::span(outputs_).first(batch_size_));
+}
+
+Outcome InstantBatch::advance(std::size_t k) {
+  if (k >= batch_begin_ + batch_size_) {
+    if (current_.data() != origin_.data()) std::copy(current_.begin(), current_.end(), origin_.begin());
+    current_ = origin_;
+    t_batch_ = t_;
+    inflow_before_ = inflow_;
+    if (Outcome outcome = compute_batch(k); !outcome.ok()) return outcome;
+  }
+  const auto& output = outputs_[k - batch_begin_];
+  inflow_ = inflow_before_ + output.inflow;
+  t_ = instants_[k].t;
+  reached_ = k + 1;
+  if (!output.state.empty()) current_ = output.state;
+  return {};
+}
+
+void InstantBatch::record(ProbeHistory& history) {
+  for (; recorded_ < reached_; ++recorded_)
+    history.append(instants_[recorded_].t, outputs_[recorded_ - batch_begin_].probes);
+}
+
+void InstantBatch::add_counts(Statistics& statistics) const {
+  statistics.steps += passes_;
+  statistics.max_stages = std::max(statistics.max_stages, most_terms_);
+  statistics.inflow += inflow_;
+  // Truncation, bounded in the capacity-weighted norm; each term of the recurrence rounds once or twice.
+  constexpr double roundings_of_a_term = 4 * std::numeric_limits<double>::epsilon();
+  statistics.error_bound += static_cast<double>(passes_) * tolerance_ * rms_over_weighted_ +
+                            static_cast<double>(terms_) * roundings_of_a_term * magnitude_;
+}
+
+}  // namespace superstep

@@ -1,0 +1,152 @@
+#include "integrators/press/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <type_traits>
+
+#include "core/error.hpp"
+
+namespace superstep::dynamics {
+namespace {
+
+// The last byte is the version: raise it whenever a stored type changes.
+constexpr std::string_view magic = "superstep checkpoint 1\n";
+
+std::uint64_t checksum(std::string_view bytes) noexcept {  // FNV-1a, 64 bits
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+  return hash;
+}
+
+class Writer {
+ public:
+  template <class Value>
+  void put(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class Value>
+  void put(const std::vector<Value>& values) {
+    put(static_cast<std::uint64_t>(values.size()));
+    for (const auto& value : values) put(value);
+  }
+  [[nodiscard]] const std::string& bytes() const noexcept { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+class Reader {
+ public:
+  Reader(std::string path, std::string_view bytes) : path_(std::move(path)), rest_(bytes) {}
+  template <class Value>
+  void get(Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    need(sizeof value);
+    std::memcpy(&value, rest_.data(), sizeof value);
+    rest_.remove_prefix(sizeof value);
+  }
+  template <class Value>
+  void get(std::vector<Value>& values) {
+    std::uint64_t size = 0;
+    get(size);
+    if (size > rest_.size()) need(rest_.size() + 1);
+    values.resize(static_cast<std::size_t>(size));
+    for (auto& value : values) get(value);
+  }
+  void finish() const {
+    if (!rest_.empty()) damaged();
+  }
+
+ private:
+  void need(std::size_t size) const {
+    if (rest_.size() < size) damaged();
+  }
+  [[noreturn]] void damaged() const {
+    throw InputError(fmt::format("{}: is not a whole checkpoint; write it anew", path_));
+  }
+  std::string path_;
+  std::string_view rest_;
+};
+
+// Rows have padding, whose content is undefined: store their members one by one.
+template <class Stream, class Row, class Visit>
+void visit_row(Stream& stream, Row& row, Visit visit) {
+  visit(stream, row.time);
+  visit(stream, row.phase);
+  visit(stream, row.volume_fraction);
+  visit(stream, row.mean_temperature);
+  visit(stream, row.max_temperature);
+  visit(stream, row.wall_force);
+  visit(stream, row.kinetic_energy);
+  visit(stream, row.bonds);
+  visit(stream, row.contacts);
+  visit(stream, row.step);
+  visit(stream, row.iterations);
+  visit(stream, row.rejections);
+}
+
+template <class Stream, class Content, class Visit>
+void visit_content(Stream& stream, Content& content, Visit visit) {
+  visit(stream, content.particles.id);
+  visit(stream, content.particles.radius);
+  visit(stream, content.particles.mass);
+  visit(stream, content.state.time);
+  visit(stream, content.state.position);
+  visit(stream, content.state.velocity);
+  visit(stream, content.state.temperature);
+  visit(stream, content.state.electric);
+  visit(stream, content.state.bonds);
+  visit(stream, content.next_step);
+}
+
+}  // namespace
+
+std::string checkpoint_image(const Checkpoint& checkpoint) {
+  static_assert(std::has_unique_object_representations_v<std::int64_t>);
+  static_assert(sizeof(Bond) == 16 && sizeof(Vec3) == 24, "no padding may be stored");
+  Writer out;
+  const auto put = [](Writer& stream, const auto& value) { stream.put(value); };
+  visit_content(out, checkpoint, put);
+  out.put(static_cast<std::uint64_t>(checkpoint.history.size()));
+  for (const auto& row : checkpoint.history) visit_row(out, row, put);
+  Writer check;
+  check.put(checksum(out.bytes()));
+  return std::string(magic) + check.bytes() + out.bytes();
+}
+
+Checkpoint read_checkpoint(const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw InputError(fmt::format("{}: is a folder, not a file", path));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(fmt::format("{}: cannot be read; does the file exist?", path));
+  const std::string image{std::istreambuf_iterator<char>(file), {}};
+  if (!image.starts_with(magic))
+    throw InputError(fmt::format("{}: is not a checkpoint of this version of the program", path));
+  std::uint64_t stored = 0;
+  Reader head(path, std::string_view(image).substr(magic.size()));
+  head.get(stored);
+  const std::string_view body = std::string_view(image).substr(magic.size() + sizeof stored);
+  if (stored != checksum(body))
+    throw InputError(fmt::format("{}: is damaged (its checksum does not fit); write it anew", path));
+  Reader in(path, body);
+  Checkpoint checkpoint;
+  const auto get = [](Reader& stream, auto& value) { stream.get(value); };
+  visit_content(in, checkpoint, get);
+  std::uint64_t rows = 0;
+  in.get(rows);
+  for (std::uint64_t k = 0; k < rows; ++k) {
+    HistoryRow row;
+    visit_row(in, row, get);
+    checkpoint.history.push_back(row);
+  }
+  in.finish();
+  return checkpoint;
+}
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,183 @@
+#include "integrators/press/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "dynamics/volume_fraction.hpp"
+
+namespace superstep::dynamics {
+namespace {
+
+constexpr double rounding = 1e-9;  // relative slack when a step is fitted to the time that remains
+
+void require(bool condition, const char* key, double value, const char* rule) {
+  if (!condition) throw InputError(fmt::format("stepping: {} is {}; {}", key, value, rule));
+}
+
+/// The step that `wanted` becomes when `remaining` is left: no sliver of a step stays behind.
+double fitted(double wanted, double remaining) {
+  if (remaining > 2 * wanted * (1 + rounding)) return wanted;
+  return remaining > wanted * (1 + rounding) ? remaining / 2 : remaining;
+}
+
+}  // namespace
+
+void check_settings(const SteppingSettings& settings) {
+  require(settings.phi >= 0 && settings.phi <= 1, "phi", settings.phi, "it must lie between 0 and 1");
+  require(settings.iterations >= 2, "iterations", settings.iterations, "it must be at least 2");
+  require(settings.tolerance_position > 0, "tolerance of positions", settings.tolerance_position,
+          "it must be > 0");
+  require(settings.tolerance_temperature > 0, "tolerance of temperatures", settings.tolerance_temperature,
+          "it must be > 0");
+  require(settings.power > 0, "power", settings.power, "it must be > 0");
+  require(settings.smallest_step > 0, "smallest_step", settings.smallest_step, "it must be > 0 s");
+  require(settings.largest_step >= settings.smallest_step, "largest_step", settings.largest_step,
+          "it must not be below smallest_step");
+  require(settings.first_step >= settings.smallest_step, "first_step", settings.first_step,
+          "it must not be below smallest_step");
+  require(settings.bounds.growth > 1, "growth", settings.bounds.growth, "it must be > 1");
+  require(settings.bounds.shrink > 0 && settings.bounds.shrink < settings.bounds.rejected_shrink, "shrink",
+          settings.bounds.shrink, "it must lie between 0 and 0.9");
+  require(settings.fraction > 0 && settings.fraction <= 2, "fraction", settings.fraction,
+          "it must lie between 0 and 2");
+}
+
+Motion::Motion(const Model& model, const Particles& particles, const SteppingSettings& settings)
+    : model_(model), particles_(particles), settings_(settings), network_(model, particles) {
+  if (particles.size() == 0) throw InputError("there are no particles; give at least one");
+  check_settings(settings);
+  stepper_ = make_stepper(settings, network_);
+}
+
+void Motion::start(State state) {
+  state_ = std::move(state);
+  state_.electric.resize(state_.size(), 0.0);
+  history_.clear();
+  step_ = settings_.first_step;
+  rejected_ = iterations_ = 0;
+  const Phase& phase = model_.schedule.at(state_.time);
+  network_.resume(state_, phase);
+  network_.settle(state_, phase);
+  stepper_->begin(state_);
+  record(phase, 0, 0, 0);
+}
+
+void Motion::resume(State state, double next_step, std::vector<HistoryRow> history) {
+  state_ = std::move(state);
+  history_ = std::move(history);
+  step_ = next_step;
+  rejected_ = iterations_ = 0;
+  for (const auto& row : history_) {
+    rejected_ += static_cast<std::uint64_t>(row.rejections);
+    iterations_ += static_cast<std::uint64_t>(row.iterations);
+  }
+  network_.resume(state_, model_.schedule.at(state_.time));
+  stepper_->begin(state_);
+}
+
+Outcome Motion::advance(double t_out) {
+  if (Outcome outcome = check(); !outcome.ok()) return outcome;
+  while (state_.time < t_out) {
+    if (Outcome outcome = take_step(t_out); !outcome.ok()) return outcome;
+    if (stop && *stop)
+      return {Status::interrupted, fmt::format("stopped from outside at t = {:.6g} s", state_.time)};
+  }
+  return {};
+}
+
+Outcome Motion::take_step(double t_out) {
+  const Phase& phase = model_.schedule.at(state_.time);
+  // The last phase goes on for ever: its wall stays where the schedule left it.
+  const double end = state_.time < phase.end ? std::min(t_out, phase.end) : t_out;
+  for (std::int64_t rejections = 0;; ++rejections) {
+    const double remaining = end - state_.time;
+    const double h = fitted(std::min({step_, settings_.largest_step, stepper_->limit()}), remaining);
+    const bool to_end = h == remaining;
+    const Attempt attempt = stepper_->attempt(state_, phase, h);
+    if (!attempt.failure.ok()) return attempt.failure;
+    if (attempt.converged) {
+      state_.time = to_end ? end : state_.time + h;
+      // A step that had to be restarted found its size the hard way: do not grow it at once.
+      const double factor = settings_.bounds.after_success(attempt.factor);
+      const double wanted = h * (rejections > 0 ? std::min(factor, 1.0) : factor);
+      step_ = std::min(settings_.largest_step, h < step_ * (1 - rounding) ? std::max(step_, wanted) : wanted);
+      accept(phase, h, attempt, rejections);
+      return check();
+    }
+    // A restart begins from the same state, whose current is solved already (Algorithm 1, step 7b).
+    ++rejected_;
+    step_ = h * settings_.bounds.after_failure(attempt.factor);
+    if (step_ < settings_.smallest_step || state_.time + step_ <= state_.time)
+      return collapsed(step_, attempt);
+  }
+}
+
+void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections) {
+  iterations_ += static_cast<std::uint64_t>(attempt.iterations);
+  if (observe_step) observe_step(network_, h);
+  connected_ = network_.current().connected();
+  network_.settle(state_, phase);
+  stepper_->begin(state_);
+  record(phase, h, attempt.iterations, rejections);
+  if (const Phase& next = model_.schedule.at(state_.time); &next != &phase) {
+    network_.place(state_.position, next, state_.time);
+    network_.settle(state_, next);
+    stepper_->begin(state_);
+  }
+  if (after_step) after_step();
+}
+
+Outcome Motion::check() const {
+  for (const auto& contact : network_.placement().walls) {
+    if (!(contact.distance < 0)) continue;
+    const Vec3& at = state_.position[static_cast<std::size_t>(contact.particle)];
+    return {
+        Status::failed,
+        fmt::format("particle {} at ({:.4g}, {:.4g}, {:.4g}) m escapes through the {} wall at t = {:.6g} s; "
+                    "make the walls stiffer, the press slower or the step smaller",
+                    particles_.id[static_cast<std::size_t>(contact.particle)], at.x, at.y, at.z,
+                    wall_name(contact.wall), state_.time)};
+  }
+  return {};
+}
+
+Outcome Motion::collapsed(double h, const Attempt& attempt) const {
+  std::string who = "no single particle stands out";
+  if (attempt.culprit >= 0) {
+    const auto k = static_cast<std::size_t>(attempt.culprit);
+    const Vec3& at = state_.position[k];
+    who = fmt::format("particle {} at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} K {}", particles_.id[k], at.x, at.y,
+                      at.z, state_.temperature[k], attempt.why);
+  }
+  return {Status::failed,
+          fmt::format("the step shrank to {:.3g} s, below smallest_step = {:.3g} s, at t = {:.6g} s: {}; "
+                      "loosen the tolerance, allow more iterations, or soften what acts on that particle",
+                      h, settings_.smallest_step, state_.time, who)};
+}
+
+void Motion::record(const Phase& phase, double h, std::int64_t iterations, std::int64_t rejections) {
+  HistoryRow row;
+  row.time = state_.time;
+  row.phase = static_cast<std::int32_t>(&phase - model_.schedule.phases().data());
+  row.volume_fraction =
+      volume_fraction(model_.box, model_.schedule.lowest_wall(), state_.position, particles_.radius);
+  row.max_temperature = state_.temperature.front();
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    row.mean_temperature += state_.temperature[i];
+    row.max_temperature = std::max(row.max_temperature, state_.temperature[i]);
+    row.kinetic_energy += 0.5 * particles_.mass[i] * dot(state_.velocity[i], state_.velocity[i]);
+  }
+  row.mean_temperature /= static_cast<double>(state_.size());
+  row.wall_force = stepper_->wall_force();
+  row.bonds = static_cast<std::int64_t>(state_.bonds.size());
+  row.contacts = static_cast<std::int64_t>(network_.contacts().touching());
+  row.step = h;
+  row.iterations = iterations;
+  row.rejections = rejections;
+  history_.push_back(row);
+}
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,124 @@
+#pragma once
+/// Runs the press: steps, restarts, phases, history. How a step is taken is the stepper's business.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dynamics/moving_network.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/press/history.hpp"
+#include "integrators/press/step_control.hpp"
+#include "integrators/press/thermal_bridge.hpp"
+
+namespace superstep::dynamics {
+
+/// How time is stepped.
+struct SteppingSettings {
+  enum class Scheme : char {
+    staggered,  ///< phi rule by staggered fixed-point iteration, adaptive (Zohdi 2014, Algorithm 1)
+    plain,      ///< semi-implicit Euler, one force evaluation a step, at a part of its stability limit
+  };
+  Scheme scheme = Scheme::staggered;
+  double phi = 0.5;                     ///< 0 to 1; 0.5 is second order
+  int iterations = 10;                  ///< K_d, wanted iterations of a step, >= 2
+  double tolerance_position = 5e-4;     ///< TOL_r
+  double tolerance_temperature = 5e-4;  ///< TOL_T
+  double power = 2;                     ///< p of the contraction ~ h^p
+  double first_step = 0.005;            ///< s
+  double largest_step = 0.005;          ///< dt_lim [s]
+  double smallest_step = 1e-9;          ///< s; a step that has to become smaller is a failure
+  StepBounds bounds;
+  double fraction = 0.5;  ///< plain scheme: of its stability limit
+  /// SPEC of the integrator that takes the temperatures over each step once the motion has converged; empty =
+  /// the phi rule inside the iteration.
+  std::string thermal_integrator;
+};
+
+/// Throws InputError for a setting that is out of range.
+void check_settings(const SteppingSettings& settings);
+
+/// What became of an attempt at a step.
+struct Attempt {
+  bool converged = false;
+  int iterations = 0;
+  double factor = 1;          ///< that the stepper wants the step size multiplied with
+  std::int32_t culprit = -1;  ///< particle that kept the step from converging; -1 = unknown
+  std::string why;            ///< what about it
+  Outcome failure;            ///< not ok: no smaller step would help
+};
+
+/// Takes steps. `state` is untouched until the attempt converged.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// Called once at the state that steps start from; the network is placed and settled there.
+  virtual void begin(const State& state) = 0;
+  /// Tries a step of h [s] within `phase`. When it converged, `state` holds its end and the network is placed
+  /// there.
+  [[nodiscard]] virtual Attempt attempt(State& state, const Phase& phase, double h) = 0;
+  /// Longest step that the method may take from the state of `begin` [s].
+  [[nodiscard]] virtual double limit() const noexcept = 0;
+  /// Normal force on the upper wall at the state of `begin` [N].
+  [[nodiscard]] virtual double wall_force() const noexcept = 0;
+  /// The integrator of the temperatures; null when the stepper takes them itself.
+  [[nodiscard]] virtual const ThermalBridge* bridge() const noexcept = 0;
+};
+
+[[nodiscard]] std::unique_ptr<Stepper> make_stepper(const SteppingSettings& settings, MovingNetwork& network);
+
+class Motion {
+ public:
+  /// Model and particles must outlive it. Throws InputError for zero particles and InputError or UsageError
+  /// for settings out of range.
+  Motion(const Model& model, const Particles& particles, const SteppingSettings& settings);
+
+  /// Starts at `state`: bonds form, electrified walls act.
+  void start(State state);
+  /// Goes on from a stored state exactly as if it had never been stored.
+  ///   next_step [s]  the step size that was to be tried next
+  void resume(State state, double next_step, std::vector<HistoryRow> history);
+
+  /// Integrates up to t_out [s], exactly. Phases end exactly at steps. After a failure the state and the
+  /// history are those of the last accepted step.
+  [[nodiscard]] Outcome advance(double t_out);
+
+  [[nodiscard]] const State& state() const noexcept { return state_; }
+  [[nodiscard]] double next_step() const noexcept { return step_; }
+  [[nodiscard]] const std::vector<HistoryRow>& history() const noexcept { return history_; }
+  [[nodiscard]] const MovingNetwork& network() const noexcept { return network_; }
+  /// Particles that carried current in the last step.
+  [[nodiscard]] std::size_t connected_in_step() const noexcept { return connected_; }
+  [[nodiscard]] std::uint64_t rejected() const noexcept { return rejected_; }
+  [[nodiscard]] std::uint64_t iterations() const noexcept { return iterations_; }
+  [[nodiscard]] const ThermalBridge* bridge() const noexcept { return stepper_->bridge(); }
+
+  /// Called after each accepted step, before bonds, electrodes and current change: the network is placed at
+  /// the step's end and h [s] is its size.
+  std::function<void(const MovingNetwork& network, double h)> observe_step;
+  /// Called when everything about a step is done: `state`, `history` and `next_step` make a checkpoint.
+  std::function<void()> after_step;
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: stop at the next step end
+
+ private:
+  [[nodiscard]] Outcome take_step(double t_out);
+  void accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections);
+  [[nodiscard]] Outcome check() const;
+  [[nodiscard]] Outcome collapsed(double h, const Attempt& attempt) const;
+  void record(const Phase& phase, double h, std::int64_t iterations, std::int64_t rejections);
+
+  const Model& model_;
+  const Particles& particles_;
+  SteppingSettings settings_;
+  MovingNetwork network_;
+  std::unique_ptr<Stepper> stepper_;
+  State state_;
+  double step_ = 0;
+  std::uint64_t rejected_ = 0, iterations_ = 0;
+  std::size_t connected_ = 0;
+  std::vector<HistoryRow> history_;
+};
+
+}  // namespace superstep::dynamics

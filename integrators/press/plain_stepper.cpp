@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <cmath>
+
+#include "integrators/press/steppers.hpp"
+
+namespace superstep::dynamics {
+
+PlainStepper::PlainStepper(const SteppingSettings& settings, MovingNetwork& network)
+    : fraction_(settings.fraction), network_(network) {
+  if (!settings.thermal_integrator.empty()) bridge_.emplace(settings.thermal_integrator);
+  const std::size_t n = network.particles().size();
+  for (auto* v : {&force_, &position_, &velocity_}) v->resize(n);
+  for (auto* v : {&rate_, &temperature_}) v->resize(n);
+}
+
+void PlainStepper::begin(const State& state) {
+  wall_force_ = network_.forces(state.velocity, state.temperature, force_);
+  if (!bridge_) network_.rates(state.temperature, rate_);
+  limit_ = fraction_ * network_.explicit_limit(state.temperature);
+}
+
+Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
+  Attempt attempt;
+  const auto& mass = network_.particles().mass;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    if (std::isfinite(norm(force_[i]) + (bridge_ ? 0 : rate_[i]))) continue;
+    attempt.culprit = static_cast<std::int32_t>(i);
+    attempt.why = "has a force or temperature that is not finite";
+    attempt.factor = 0.1;
+    return attempt;
+  }
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    velocity_[i] = state.velocity[i] + (h / mass[i]) * force_[i];
+    position_[i] = state.position[i] + h * velocity_[i];
+    temperature_[i] = state.temperature[i] + (bridge_ ? 0 : h * rate_[i]);
+  }
+  network_.place(position_, phase, std::min(state.time + h, phase.end));
+  if (bridge_) attempt.failure = bridge_->advance(network_, h, temperature_);
+  if (!attempt.failure.ok()) return attempt;
+  std::swap(state.position, position_);
+  std::swap(state.velocity, velocity_);
+  std::swap(state.temperature, temperature_);
+  attempt.converged = true;
+  attempt.iterations = 1;
+  return attempt;
+}
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,230 @@
+#include "case/build_rhs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/roles.hpp"
+#include "core/error.hpp"
+#include "network/spd_solver.hpp"
+#include "rhs/network_rhs.hpp"
+
+namespace superstep {
+namespace {
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+FieldScene* find_field(Scene& scene, const char* name) {
+  for (auto& field : scene.fields)
+    if (field.name == name) return &field;
+  return nullptr;
+}
+
+bool varies(const FieldScene& field) {
+  return std::any_of(field.laws.of_material.begin(), field.laws.of_material.end(),
+                     [](const auto& law) { return law.varies(); });
+}
+
+std::vector<char> apply_roles(RoleReport report, FieldScene& field) {
+  field.roles = std::move(report.roles);
+  field.components = report.components;
+  field.idle_clusters = report.idle_clusters;
+  field.floating_clusters = report.floating;
+  return std::move(report.live);
+}
+
+/// Range of everything that the field starts from, or is held at up to t_end.
+void set_range(double t_end, FieldScene& field) {
+  bool first = true;
+  const auto take = [&](double value) {
+    field.low = first ? value : std::min(field.low, value);
+    field.high = first ? value : std::max(field.high, value);
+    first = false;
+  };
+  const auto take_table = [&](std::int32_t index) {
+    const auto [low, high] = field.graph.tables[at(index)].range(0, t_end);
+    take(low);
+    take(high);
+  };
+  const auto& graph = field.graph;
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    if (!graph.is_fixed[node])
+      take(graph.initial[node]);
+    else if (graph.fixed_table.empty() || graph.fixed_table[node] < 0)
+      take(graph.fixed_value[node]);
+    else
+      take_table(graph.fixed_table[node]);
+  }
+}
+
+/// Values of the nodes that are not rows of the network.
+std::vector<KnownValue> known_values(const FieldScene& field) {
+  std::vector<KnownValue> known;
+  const auto& graph = field.graph;
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    if (field.row_of_node[node] >= 0) continue;
+    const bool fixed = graph.is_fixed[node] != 0;
+    known.push_back({static_cast<std::int32_t>(node), fixed ? graph.fixed_at(node, 0) : graph.initial[node],
+                     fixed && !graph.fixed_table.empty() ? graph.fixed_table[node] : -1});
+  }
+  return known;
+}
+
+FieldInput take_field(FieldScene& field) {
+  FieldInput input;
+  input.network = build_network(field.graph, field.roles);
+  field.row_of_node = input.network.row_of_node;
+  input.pair_step = min_pair_step(field.graph, field.roles, field.bare);
+  input.known = known_values(field);
+  input.laws = field.laws;
+  input.id = field.graph.id;
+  input.low = field.low;
+  input.high = field.high;
+  return input;
+}
+
+void append_initial(const FieldScene& field, const Network& network, Scene& scene) {
+  for (const auto node : network.node_of_row) scene.initial.push_back(field.graph.initial[at(node)]);
+}
+
+void build_single(const std::string& where, FieldScene& field, Scene& scene) {
+  apply_roles(assign_roles(field.graph, where), field);
+  set_range(scene.t_end, field);
+  field.view = 0;
+  if (varies(field)) {
+    NonlinearInput input;
+    input.temperature = take_field(field);
+    append_initial(field, input.temperature.network, scene);
+    scene.rhs = std::make_unique<NonlinearRhs>(std::move(input));
+    return;
+  }
+  Network network = build_network(field.graph, field.roles);
+  field.row_of_node = network.row_of_node;
+  append_initial(field, network, scene);
+  const double pair_step = min_pair_step(field.graph, field.roles, field.bare);
+  scene.rhs = std::make_unique<NetworkRhs>(std::move(network), field.name, field.unit, pair_step);
+}
+
+/// A steady potential that nothing moves heats like a constant source: one solve, and it is done with.
+/// Source: Rojek & Nisar 2026, eq. 7.
+void add_constant_joule_heat(const FieldScene& electric, const std::vector<double>& potential,
+                             Graph& thermal) {
+  const auto& graph = electric.graph;
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    const auto i = at(graph.i[k]), j = at(graph.j[k]);
+    const double dv = potential[j] - potential[i], heat = graph.conductance[k] * dv * dv;
+    const double a = electric.laws.of_node(graph.i[k]).value, b = electric.laws.of_node(graph.j[k]).value;
+    thermal.source[i] += heat * b / (a + b);
+    thermal.source[j] += heat * a / (a + b);
+  }
+}
+
+/// Solves for a potential that nothing moves.
+void solve_once(FieldScene& electric, Scene& scene) {
+  const FieldInput input = take_field(electric);
+  const auto rows = steady_state(input.network);
+  scene.steady_potential.assign(electric.graph.nodes(), 0.0);
+  for (const auto& known : input.known) scene.steady_potential[at(known.node)] = known.value;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    scene.steady_potential[at(input.network.node_of_row[row])] = rows[row];
+}
+
+void build_pair(const std::string& where, const Coupling& coupling, FieldScene& electric, FieldScene& thermal,
+                Scene& scene) {
+  auto live = apply_roles(
+      electric.steady ? assign_steady_roles(electric.graph, where) : assign_roles(electric.graph, where),
+      electric);
+  if (!coupling.joule_heat) live.assign(live.size(), 0);
+  set_range(scene.t_end, electric);
+  if (electric.steady && !varies(electric) && electric.graph.tables.empty()) {
+    solve_once(electric, scene);
+    if (coupling.joule_heat) add_constant_joule_heat(electric, scene.steady_potential, thermal.graph);
+    build_single(where, thermal, scene);
+    return;
+  }
+  apply_roles(assign_roles(thermal.graph, where, live), thermal);
+  set_range(scene.t_end, thermal);
+  NonlinearInput input;
+  input.temperature = take_field(thermal);
+  input.potential = take_field(electric);
+  input.steady_potential = electric.steady;
+  input.resolve_change = coupling.resolve_change;
+  scene.settle_tolerance = electric.steady ? 0 : coupling.settle_tolerance;
+  if (coupling.joule_heat) input.joule = &electric.graph;
+  thermal.view = electric.steady ? 0 : 1;
+  if (!electric.steady) {
+    electric.view = 0;
+    append_initial(electric, input.potential->network, scene);
+  }
+  append_initial(thermal, input.temperature.network, scene);
+  auto rhs = std::make_unique<NonlinearRhs>(std::move(input));
+  if (electric.steady) scene.moving_potential = rhs.get();
+  scene.rhs = std::move(rhs);
+}
+
+/// A steady potential alone: solved for here, and nothing is left to integrate.
+void build_steady(const std::string& where, FieldScene& electric, Scene& scene) {
+  apply_roles(assign_steady_roles(electric.graph, where), electric);
+  set_range(scene.t_end, electric);
+  solve_once(electric, scene);
+  Network nothing;
+  nothing.row_begin.assign(1, 0);
+  scene.rhs = std::make_unique<NetworkRhs>(std::move(nothing), electric.name, electric.unit,
+                                           min_pair_step(electric.graph, electric.roles, electric.bare));
+}
+
+void list_field_skips(const FieldScene& field, bool only, Scene& scene) {
+  const auto count = [&](NodeRole role) { return std::count(field.roles.begin(), field.roles.end(), role); };
+  const std::string of_field = only ? "" : fmt::format(" of the {}", field.name);
+  if (const auto fixed = count(NodeRole::fixed); fixed > 0)
+    scene.skips.push_back({fmt::format("{} fixed nodes{}", fixed, of_field), "their values are known"});
+  if (field.idle_clusters > 0)
+    scene.skips.push_back(
+        {fmt::format("{} nodes in {} clusters{}", count(NodeRole::idle), field.idle_clusters, of_field),
+         "their values are uniform and nothing acts on them"});
+  if (field.steady && field.floating_clusters > 0)
+    scene.skips.push_back(
+        {fmt::format("{} nodes in {} clusters{}", count(NodeRole::idle), field.floating_clusters, of_field),
+         "they touch no electrode: no current flows there"});
+}
+
+void list_term_skips(const FieldScene& field, Scene& scene) {
+  if (field.name != "temperature") return;
+  if (field.graph.convection.empty()) scene.skips.push_back({"convection", "the case has none"});
+  if (field.graph.radiation.empty()) scene.skips.push_back({"radiation", "the case has none"});
+}
+
+void list_skips(Scene& scene) {
+  const FieldScene* electric = find_field(scene, "potential");
+  const FieldScene* thermal = find_field(scene, "temperature");
+  for (const auto& field : scene.fields) list_field_skips(field, scene.fields.size() == 1, scene);
+  if (!electric) scene.skips.push_back({"electric field", "the case has no [electric]"});
+  if (!thermal) scene.skips.push_back({"temperature field", "the case has no [thermal]"});
+  if (!scene.packed) {
+    scene.skips.push_back({"neighbour search and necks", "the network is given directly"});
+    return;
+  }
+  for (const auto& field : scene.fields) list_term_skips(field, scene);
+  if (electric && electric->steady)
+    scene.skips.push_back({"stepping the potential",
+                           scene.moving_potential ? "it is steady: solved for when conductivities have moved"
+                                                  : "it is steady and nothing moves it: solved for once"});
+}
+
+}  // namespace
+
+void build_rhs(const std::string& where, const Coupling& coupling, Scene& scene) {
+  FieldScene* electric = find_field(scene, "potential");
+  FieldScene* thermal = find_field(scene, "temperature");
+  if (electric && thermal)
+    build_pair(where, coupling, *electric, *thermal, scene);
+  else if (electric && electric->steady)
+    build_steady(where, *electric, scene);
+  else
+    build_single(where, scene.fields.front(), scene);
+  list_skips(scene);
+}
+
+}  // namespace superstep

@@ -1,0 +1,21 @@
+#pragma once
+/// From the fields of a scene to its right-hand side: the one place that decides what a scene does not need.
+
+#include <string>
+
+#include "case/scene.hpp"
+
+namespace superstep {
+
+/// How the fields act on each other, `[coupling]` of a case.
+struct Coupling {
+  bool joule_heat = false;
+  double settle_tolerance = 0;  ///< of the potential's span; 0 = it is stepped to the end
+  double resolve_change = 0;    ///< steady potential: see NonlinearInput
+};
+
+/// Assigns roles, builds the networks and the right-hand side, sets the initial state and the ranges, and
+/// lists what is skipped. Throws InputError, beginning with `where`.
+void build_rhs(const std::string& where, const Coupling& coupling, Scene& scene);
+
+}  // namespace superstep

@@ -1,0 +1,158 @@
+#include "case/checks/effective.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+
+#include "core/error.hpp"
+#include "network/components.hpp"
+#include "network/spd_solver.hpp"
+
+namespace superstep {
+namespace {
+
+/// Roles for a steady solve: whatever touches no fixed node has no steady state of its own and is left out.
+std::vector<NodeRole> steady_roles(const Graph& graph) {
+  const Components components = connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
+  std::vector<char> held(components.count, 0);
+  for (std::size_t node = 0; node < graph.nodes(); ++node)
+    if (graph.is_fixed[node]) held[static_cast<std::size_t>(components.of_node[node])] = 1;
+  std::vector<NodeRole> roles(graph.nodes());
+  for (std::size_t node = 0; node < graph.nodes(); ++node)
+    roles[node] = graph.is_fixed[node]                                            ? NodeRole::fixed
+                  : held[static_cast<std::size_t>(components.of_node[node])] != 0 ? NodeRole::free
+                                                                                  : NodeRole::idle;
+  return roles;
+}
+
+/// Flow out of the nodes held at `high` [W or A].
+double flow_from(const Graph& graph, const std::vector<double>& value, double high) {
+  double flow = 0;
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    const auto i = static_cast<std::size_t>(graph.i[k]), j = static_cast<std::size_t>(graph.j[k]);
+    const bool from_i = graph.is_fixed[i] && graph.fixed_value[i] == high;
+    const bool from_j = graph.is_fixed[j] && graph.fixed_value[j] == high;
+    if (from_i != from_j) flow += graph.conductance[k] * (from_i ? value[i] - value[j] : value[j] - value[i]);
+  }
+  return flow;
+}
+
+double coordinate(Vec3 v, int axis) noexcept {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double x) noexcept {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+/// Largest gap along any axis between the centres of the two layers [m], with its axis.
+std::pair<double, int> facing_gap(const Packing& packing, const Graph& graph, double high) {
+  std::pair<double, int> best{0, 2};
+  for (int axis = 0; axis < 3; ++axis) {
+    Extent hot, cold;
+    for (std::size_t node = 0; node < graph.nodes(); ++node)
+      if (graph.is_fixed[node])
+        (graph.fixed_value[node] == high ? hot : cold).add(coordinate(packing.centre[node], axis));
+    const double gap = std::max(hot.low - cold.high, cold.low - hot.high);
+    if (gap > best.first) best = {gap, axis};
+  }
+  return best;
+}
+
+double box_area(const Packing& packing, int axis) {
+  const Bounds box = surface_bounds(packing);
+  const Vec3 size = box.max - box.min;
+  const std::array<double, 3> area = {size.y * size.z, size.x * size.z, size.x * size.y};
+  return area[static_cast<std::size_t>(axis)];
+}
+
+/// Steady values on all nodes, of fixed values alone. Throws NumericalError.
+std::vector<double> steady_values(const Graph& graph) {
+  Graph bare = graph;
+  bare.source.assign(graph.nodes(), 0.0);
+  bare.tabled_sources.clear();
+  bare.convection.clear();
+  bare.radiation.clear();
+  const Network network = build_network(bare, steady_roles(graph));
+  const auto solution = steady_state(network);
+  std::vector<double> value(graph.nodes(), 0.0);
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    const auto row = network.row_of_node[node];
+    value[node] = graph.is_fixed[node] ? graph.fixed_value[node]
+                  : row >= 0           ? solution[static_cast<std::size_t>(row)]
+                                       : graph.initial[node];
+  }
+  return value;
+}
+
+std::set<double> fixed_levels(const Graph& graph) {
+  std::set<double> levels;
+  for (std::size_t node = 0; node < graph.nodes(); ++node)
+    if (graph.is_fixed[node]) levels.insert(graph.fixed_value[node]);
+  return levels;
+}
+
+}  // namespace
+
+std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field) {
+  const auto& graph = field.graph;
+  const auto levels = fixed_levels(graph);
+  if (field.name != "potential" || levels.size() != 2) return std::nullopt;
+  const double low = *levels.begin(), high = *levels.rbegin();
+  try {
+    const auto value = steady_values(graph);
+    ElectrodeFacts facts{.voltage = high - low,
+                         .current_in = flow_from(graph, value, high),
+                         .current_out = -flow_from(graph, value, low)};
+    facts.resistance =
+        facts.current_in > 0 ? facts.voltage / facts.current_in : std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < graph.edges(); ++k) {
+      const double dv =
+          value[static_cast<std::size_t>(graph.j[k])] - value[static_cast<std::size_t>(graph.i[k])];
+      facts.joule_heat += graph.conductance[k] * dv * dv;
+    }
+    return facts;
+  } catch (const NumericalError&) {
+    return std::nullopt;
+  }
+}
+
+EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field) {
+  EffectiveConductivity out;
+  const auto& graph = field.graph;
+  const auto levels = fixed_levels(graph);
+  if (!scene.packed)
+    out.note = "a network without coordinates has no cross-section";
+  else if (levels.size() != 2)
+    out.note = "it needs two layers with two different fixed values";
+  if (!out.note.empty()) return out;
+
+  const double low = *levels.begin(), high = *levels.rbegin();
+  const auto& packing = scene.packed->packing;
+  const auto [gap, axis] = facing_gap(packing, graph, high);
+  if (!(gap > 0)) {
+    out.note = "the two fixed layers do not face each other along an axis";
+    return out;
+  }
+  try {
+    const auto value = steady_values(graph);
+    out.flow = flow_from(graph, value, high);
+  } catch (const NumericalError& error) {
+    out.note = error.what();
+    return out;
+  }
+  const bool stated = scene.packed->container && axis == 2;
+  out.length = gap;
+  out.area = stated ? scene.packed->container->cross_section : box_area(packing, axis);
+  out.note =
+      stated ? "" : "cross-section taken from the bounding box; state [packing] container for a cylinder";
+  out.value = out.flow * gap / (out.area * (high - low));
+  return out;
+}
+
+}  // namespace superstep

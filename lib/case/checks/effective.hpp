@@ -1,0 +1,34 @@
+#pragma once
+/// Effective conductivity of a packing between two fixed layers.
+
+#include <optional>
+#include <string>
+
+#include "case/scene.hpp"
+
+namespace superstep {
+
+struct EffectiveConductivity {
+  std::optional<double> value;  ///< W/(m K) or S/m
+  double flow = 0;              ///< W or A, from the higher to the lower value
+  double length = 0;            ///< m, between the facing innermost centres of the two layers
+  double area = 0;              ///< m^2
+  std::string note;             ///< why there is no value, or what was assumed
+};
+
+/// What a steady current between two electrodes does, at the conductivities' reference values.
+struct ElectrodeFacts {
+  double voltage = 0;                      ///< V, between the two fixed potentials
+  double current_in = 0, current_out = 0;  ///< A, at the higher and at the lower potential
+  double resistance = 0;                   ///< Ohm; infinite when no current flows
+  double joule_heat = 0;                   ///< W, summed over the branches; equals voltage times current
+};
+
+/// Facts of the electric field between exactly two distinct fixed potentials without current sources; nothing
+/// for other fields. Throws nothing: a network that cannot be solved has no facts.
+[[nodiscard]] std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field);
+
+/// k = q L / (A dT) from a steady solve. Needs a packing and exactly two distinct fixed values.
+[[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field);
+
+}  // namespace superstep

@@ -1,0 +1,71 @@
+#include "case/checks/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace superstep {
+namespace {
+
+void warn_outside(std::vector<std::string>& out, const char* what, double smallest, double largest,
+                  double low, double high, const char* unit) {
+  if (smallest < low)
+    out.push_back(fmt::format("smallest {} is {:.4g} {}; usual values lie between {:g} and {:g}", what,
+                              smallest, unit, low, high));
+  if (largest > high)
+    out.push_back(fmt::format("largest {} is {:.4g} {}; usual values lie between {:g} and {:g}", what,
+                              largest, unit, low, high));
+}
+
+}  // namespace
+
+std::vector<std::string> range_warnings(const Scene& scene) {
+  std::vector<std::string> out;
+  if (scene.packed) {
+    const auto& packed = *scene.packed;
+    const auto [smallest, largest] =
+        std::minmax_element(packed.packing.radius.begin(), packed.packing.radius.end());
+    warn_outside(out, "diameter", 2 * *smallest, 2 * *largest, 1e-7, 0.1, "m (is length_unit right?)");
+    const double particles = static_cast<double>(packed.packing.size());
+    const double coordination = 2 * static_cast<double>(packed.contacts.size()) / particles;
+    if (packed.packing.size() > 100)
+      warn_outside(out, "mean coordination", coordination, coordination, 3, 12, "");
+    if (packed.neck_report.limited > 0)
+      out.push_back(fmt::format("{} of {} necks were limited to the smaller radius",
+                                packed.neck_report.limited, packed.contacts.size()));
+  }
+  for (const auto& field : scene.fields)
+    if (field.floating_clusters > 0 && !field.steady && field.graph.convection.empty() &&
+        field.graph.radiation.empty())
+      out.push_back(fmt::format("{} cluster(s) without a fixed {} are integrated; what enters them stays",
+                                field.floating_clusters, field.name));
+  return out;
+}
+
+std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMaterials& field,
+                                           const Materials& materials) {
+  std::vector<std::string> out;
+  const bool thermal = kind.name == "temperature";
+  const auto warn = [&](const char* what, double value, double low, double high, const char* unit) {
+    warn_outside(out, what, value, value, low, high, unit);
+  };
+  for (std::size_t k = 0; k < field.of_material.size(); ++k) {
+    warn("density", materials.density(static_cast<std::int32_t>(k)), 500, 2e4, "kg/m3");
+    if (thermal) {
+      warn("specific heat", field.of_material[k].capacity, 100, 5000, "J/(kg K)");
+      warn("thermal conductivity", field.of_material[k].conductivity.value, 0.02, 400, "W/(m K)");
+    } else {
+      warn("electric conductivity", field.of_material[k].conductivity.value, 1e-12, 6e7, "S/m");
+    }
+  }
+  const auto warn_interface = [&](const Interface& interface) {
+    if (!(interface.thickness > 0)) return;
+    warn("grain boundary thickness", interface.thickness, 1e-9, 1e-6, "m");
+    warn("grain boundary reduction", interface.reduction, 0.01, 1, "");
+  };
+  warn_interface(field.grain_boundary);
+  for (const auto& [pair, interface] : field.between) warn_interface(interface);
+  return out;
+}
+
+}  // namespace superstep

@@ -1,0 +1,20 @@
+#pragma once
+/// Values outside the ranges that users have, and packings that look wrong: said, never silently accepted.
+
+#include <string>
+#include <vector>
+
+#include "case/materials.hpp"
+#include "case/read_field.hpp"
+#include "case/scene.hpp"
+
+namespace superstep {
+
+/// One sentence per finding; empty for a healthy scene.
+[[nodiscard]] std::vector<std::string> range_warnings(const Scene& scene);
+
+/// The same for densities, capacities, conductivities and grain boundaries of one field.
+[[nodiscard]] std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMaterials& field,
+                                                         const Materials& materials);
+
+}  // namespace superstep

@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "case/build_rhs.hpp"
+#include "case/checks/law_ranges.hpp"
+#include "case/checks/warnings.hpp"
+#include "case/materials.hpp"
+#include "case/probe.hpp"
+#include "case/read_field.hpp"
+#include "case/read_packing_scene.hpp"
+#include "case/scene.hpp"
+#include "core/error.hpp"
+#include "core/toml.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr double default_settle_tolerance = 1e-9;
+constexpr double default_resolve_change = 1e-6;
+
+void read_times(TomlTable& root, Scene& scene) {
+  scene.t_end = root.positive("t_end", "s");
+  scene.output_times = {scene.t_end};
+  const auto times = root.find("output_times");
+  if (!times) return;
+  scene.output_times = times->numbers();
+  double previous = 0;
+  for (const double t : scene.output_times) {
+    if (!(t > previous)) times->reject("the times must be > 0 and ascending [s]");
+    previous = t;
+  }
+  if (scene.output_times.empty() || scene.output_times.back() > scene.t_end)
+    times->reject(fmt::format("there must be at least one time, and none after t_end = {}", scene.t_end));
+  if (scene.output_times.back() < scene.t_end) scene.output_times.push_back(scene.t_end);
+}
+
+void read_bench(TomlTable& root, Scene& scene) {
+  auto bench = root.table("bench");
+  if (!bench) return;
+  if (const auto baseline = bench->string("baseline")) scene.bench.baseline = *baseline;
+  if (const auto integrators = bench->find("integrators")) scene.bench.integrators = integrators->strings();
+}
+
+void read_published(TomlTable& root, Scene& scene) {
+  static const std::vector<std::string> figures = {"particles",  "relative_density", "effective_conductivity",
+                                                   "lambda_max", "lambda_min",       "critical_step",
+                                                   "pair_step",  "alpha_star"};
+  auto published = root.table("published");
+  if (!published) return;
+  for (const auto& figure : figures)
+    if (const auto value = published->number(figure)) scene.published[figure] = *value;
+}
+
+void read_direct_network(TomlTable& root, TomlTable& network, Scene& scene) {
+  for (const char* other : {"packing", "material", "materials", "contact", "thermal", "electric"})
+    if (const auto value = root.find(other))
+      value->reject("a case with [network] gives nodes and edges directly; remove this, or remove [network]");
+  FieldScene field;
+  const auto name = network.string("field").value_or("temperature");
+  if (name != "temperature" && name != "potential")
+    network.require("field", "").reject("it must be \"temperature\" or \"potential\"");
+  const FieldKind& kind = name == "potential" ? electric_kind() : thermal_kind();
+  field.name = kind.name;
+  field.unit = kind.unit;
+  const auto nodes =
+      network.require("nodes", "it names a CSV with id,capacity,source,initial,fixed").string();
+  const auto edges = network.require("edges", "it names a CSV with i,j,conductance").string();
+  field.graph = read_graph(beside_case(root.file(), nodes), beside_case(root.file(), edges));
+  field.bare = field.graph.conductance;
+  scene.fields.push_back(std::move(field));
+}
+
+bool is_steady(TomlTable& electric) {
+  const auto mode = electric.find("mode");
+  if (!mode) return false;
+  const std::string name = mode->string();
+  if (name != "transient" && name != "steady") mode->reject("it must be \"transient\" or \"steady\"");
+  return name == "steady";
+}
+
+double tolerance(TomlTable& table, const char* key, double fallback) {
+  const auto value = table.find(key);
+  if (!value) return fallback;
+  if (!(value->number() >= 0 && value->number() < 1)) value->reject("it must be >= 0 and < 1");
+  return value->number();
+}
+
+Coupling read_coupling(TomlTable& root, bool both_fields) {
+  Coupling coupling{.joule_heat = both_fields};
+  const auto value = root.find("coupling");
+  if (!value) return coupling;
+  if (!both_fields) value->reject("there is something to couple only with [thermal] and [electric]");
+  TomlTable table = value->table();
+  if (const auto joule_heat = table.find("joule_heat")) coupling.joule_heat = joule_heat->boolean();
+  table.finish();
+  return coupling;
+}
+
+void require_temperature(const TomlTable& electric, const FieldScene& potential) {
+  for (const auto& law : potential.laws.of_material)
+    if (law.varies())
+      throw InputError(fmt::format(
+          "{}: the conductivity follows temperature, and the case has no [thermal]; add it, or give a number",
+          electric.where()));
+}
+
+Coupling read_particles(TomlTable& root, Scene& scene) {
+  auto thermal = root.table("thermal"), electric = root.table("electric");
+  if (!thermal && !electric)
+    throw InputError(fmt::format("{}: neither [thermal] nor [electric] is there; give one field to integrate",
+                                 root.where()));
+  PackingInput input = read_packing_scene(root);
+  Materials materials(root, input.scene.packing);
+  Coupling coupling = read_coupling(root, thermal && electric);
+  if (electric) {
+    const bool steady = is_steady(*electric);
+    coupling.settle_tolerance = tolerance(*electric, "settle_tolerance", default_settle_tolerance);
+    coupling.resolve_change = tolerance(*electric, "resolve_change", default_resolve_change);
+    scene.fields.push_back(read_field(electric_kind(), *electric, input, materials, steady));
+    if (!thermal) require_temperature(*electric, scene.fields.back());
+    if (!thermal && steady && !scene.fields.back().graph.tables.empty())
+      throw InputError(fmt::format(
+          "{}: a steady potential alone has one solution, so that nothing in it can follow a table of time; "
+          "give numbers, or choose mode = \"transient\"",
+          electric->where()));
+  }
+  if (thermal) scene.fields.push_back(read_field(thermal_kind(), *thermal, input, materials, false));
+  scene.packed = std::move(input.scene);
+  return coupling;
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& path) {
+  TomlTable root = TomlTable::parse_file(path);
+  Scene scene;
+  scene.file = path;
+  scene.name = std::filesystem::path(path).stem().string();
+  scene.title = root.string("title").value_or(scene.name);
+  scene.source = root.string("source").value_or("");
+  read_times(root, scene);
+  read_bench(root, scene);
+  read_published(root, scene);
+  const auto probe = root.find("probe");
+  Coupling coupling;
+  if (auto network = root.table("network"))
+    read_direct_network(root, *network, scene);
+  else
+    coupling = read_particles(root, scene);
+  root.finish();
+  require_laws_to_hold(scene);
+  build_rhs(path, coupling, scene);
+  if (probe) scene.probes = read_probes(*probe, scene);
+  scene.warnings = range_warnings(scene);
+  for (const auto& field : scene.fields)
+    scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
+  return scene;
+}
+
+std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::span<const double> state) const {
+  if (fields[field].steady) return steady_values(field, t, state);
+  const auto& graph = fields[field].graph;
+  std::vector<double> values(graph.nodes());
+  for (std::size_t node = 0; node < values.size(); ++node) {
+    const auto entry = entry_of_node(field, static_cast<std::int32_t>(node));
+    values[node] = entry >= 0             ? state[static_cast<std::size_t>(entry)]
+                   : graph.is_fixed[node] ? graph.fixed_at(node, t)
+                                          : graph.initial[node];
+  }
+  return values;
+}
+
+std::vector<double> Scene::steady_values(std::size_t field, double t, std::span<const double> state) const {
+  if (!moving_potential) return steady_potential;
+  const auto& graph = fields[field].graph;
+  const auto rows = moving_potential->steady_potential(t, state);
+  std::vector<double> values(graph.nodes());
+  for (std::size_t node = 0; node < values.size(); ++node) {
+    const auto row = fields[field].row_of_node[node];
+    values[node] = row >= 0               ? rows[static_cast<std::size_t>(row)]
+                   : graph.is_fixed[node] ? graph.fixed_at(node, t)
+                                          : graph.initial[node];
+  }
+  return values;
+}
+
+std::ptrdiff_t Scene::entry_of_node(std::size_t field, std::int32_t node) const {
+  const auto& described = fields[field];
+  const auto row = described.row_of_node[static_cast<std::size_t>(node)];
+  if (row < 0 || described.view < 0) return -1;
+  const auto& view = rhs->fields()[static_cast<std::size_t>(described.view)];
+  return static_cast<std::ptrdiff_t>(view.offset + static_cast<std::size_t>(row) * view.stride);
+}
+
+}  // namespace superstep

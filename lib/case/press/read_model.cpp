@@ -1,0 +1,166 @@
+#include "case/press/read_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/press/read_particles.hpp"
+#include "case/press/read_values.hpp"
+#include "core/error.hpp"
+
+namespace superstep::dynamics {
+namespace {
+
+ContactLaw read_contact(TomlTable table) {
+  ContactLaw law;
+  law.stiffness = required_from(table, "stiffness", 0, "N/m2");
+  law.exponent = number_from(table, "exponent", 1, law.exponent, "-");
+  law.softening.temperature = positive_or(table, "softening_temperature", law.softening.temperature, "K");
+  law.softening.floor = number_from(table, "stiffness_floor", 0, 0, "N/m2");
+  law.friction = number_from(table, "friction", 0, 0, "-");
+  law.friction_speed = positive_or(table, "friction_speed", law.friction_speed, "m/s");
+  law.damping = number_from(table, "damping", 0, 0, "-");
+  return law;
+}
+
+BondLaw read_bond(TomlTable table) {
+  BondLaw law;
+  law.stiffness = required_from(table, "stiffness", 0, "N/m2");
+  law.exponent = number_from(table, "exponent", 1, law.exponent, "-");
+  law.threshold = table.positive("threshold", "-");
+  law.rule = word_from(table, "rule", {"overlap", "tension"}, "overlap") == "tension" ? BondRule::tension
+                                                                                      : BondRule::overlap;
+  const auto rupture = table.find("rupture");
+  if (rupture && law.rule == BondRule::overlap)
+    rupture->reject("a bond that acts in overlap only cannot rupture; remove it, or take rule = \"tension\"");
+  if (rupture) law.rupture = table.positive("rupture", "-");
+  return law;
+}
+
+void read_wall_temperatures(TomlTable& table, ThermalLaw& law) {
+  law.walls_conduct = boolean_or(table, "walls_conduct", true);
+  const auto walls = table.require("walls", "a temperature [K], or a table with lower, upper and sides");
+  if (walls.is_number()) {
+    if (walls.number() < 0) walls.reject("it must be >= 0 [K]");
+    law.wall_temperature.fill(walls.number());
+    return;
+  }
+  TomlTable each = table_from(table, "walls", "");
+  law.wall_temperature.fill(required_from(each, "sides", 0, "K"));
+  law.wall_temperature[lower] = required_from(each, "lower", 0, "K");
+  law.wall_temperature[upper] = required_from(each, "upper", 0, "K");
+}
+
+ElectricLaw read_electric(TomlTable table) {
+  ElectricLaw law;
+  law.model = word_from(table, "model", {"averaging", "potential"}, "averaging") == "averaging"
+                  ? CurrentModel::averaging
+                  : CurrentModel::potential;
+  const std::string solver = word_from(table, "solver", {"jacobi", "conjugate", "direct"}, "conjugate");
+  law.solver = solver == "jacobi"   ? CurrentSolver::jacobi
+               : solver == "direct" ? CurrentSolver::direct
+                                    : CurrentSolver::conjugate;
+  law.conductivity = table.positive("conductivity", "S/m");
+  const auto absorption = table.find("absorption");
+  if (absorption && !(absorption->number() >= 0 && absorption->number() <= 1))
+    absorption->reject("it must lie between 0 and 1");
+  if (absorption) law.absorption = absorption->number();
+  law.tolerance = positive_or(table, "tolerance", law.tolerance, "-");
+  law.hold_temperature = boolean_or(table, "hold_temperature", true);
+  return law;
+}
+
+Box read_box(TomlTable table) {
+  Box box;
+  box.min = point_from(table.require("min", "it is the corner [x, y, z] in m"));
+  const auto corner = table.require("max", "it is the corner [x, y, z] in m; z = start of the upper wall");
+  box.max = point_from(corner);
+  const Vec3 size = box.max - box.min;
+  if (!(size.x > 0 && size.y > 0 && size.z > 0)) corner.reject("every coordinate must exceed that of min");
+  return box;
+}
+
+void read_electrodes(TomlTable& table, const ElectricLaw& law, Phase& phase) {
+  const bool averaging = law.model == CurrentModel::averaging;
+  for (const auto& [key, fits, other] :
+       {std::tuple{"current", averaging, "[electric] with model = \"averaging\""},
+        std::tuple{"potential", law.model == CurrentModel::potential,
+                   "[electric] with model = \"potential\""}}) {
+    const auto value = table.find(key);
+    if (!value) continue;
+    if (!fits) value->reject(fmt::format("it needs {}", other));
+    TomlTable walls = *table.table(key);
+    phase.lower = walls.number("lower");
+    phase.upper = walls.number("upper");
+  }
+}
+
+Schedule read_phases(TomlTable& dynamics, const Model& model, double t_end) {
+  const auto list = dynamics.require("phases", "one table [[dynamics.phases]] with name and until for each");
+  std::vector<Phase> phases;
+  double time = 0, height = model.box.max.z;
+  for (const auto& entry : list.array()) {
+    TomlTable table = entry.table();
+    Phase phase;
+    phase.name = table.require("name", "e.g. \"pour\"").string();
+    const auto until = table.require("until", "time at which the phase ends [s]");
+    phase.begin = time;
+    phase.end = until.number();
+    if (!(phase.end > time))
+      until.reject(fmt::format("it must be later than the phase begins, at {} s", time));
+    phase.upper_wall_begin = phase.upper_wall = height;
+    if (const auto wall = table.find("upper_wall")) {
+      phase.upper_wall = wall->number();
+      if (!(phase.upper_wall > model.box.min.z))
+        wall->reject(
+            fmt::format("the walls would cross: it must stay above the lower wall at {} m", model.box.min.z));
+    }
+    read_electrodes(table, model.electric, phase);
+    table.finish();
+    time = phase.end;
+    height = phase.upper_wall;
+    phases.push_back(phase);
+  }
+  if (time < t_end)
+    list.reject(
+        fmt::format("the last phase ends at {} s, before t_end = {} s; let it last longer", time, t_end));
+  return Schedule(std::move(phases));
+}
+
+double smallest_radius(const Particles& particles) {
+  return *std::min_element(particles.radius.begin(), particles.radius.end());
+}
+
+}  // namespace
+
+ModelInput read_model(TomlTable& root, double t_end) {
+  ModelInput input;
+  Model& model = input.model;
+  TomlTable material = table_from(root, "material", "it holds the density");
+  const double density = material.positive("density", "kg/m3");
+
+  TomlTable thermal = table_from(root, "thermal", "moving particles need their temperatures");
+  model.thermal.conductivity = required_from(thermal, "conductivity", 0, "W/(m K)");
+  model.thermal.specific_heat = thermal.positive("specific_heat", "J/(kg K)");
+  const double initial = required_from(thermal, "initial", 0, "K");
+  read_wall_temperatures(thermal, model.thermal);
+  if (root.find("electric")) model.electric = read_electric(*root.table("electric"));
+
+  TomlTable dynamics = table_from(root, "dynamics", "it holds the laws of motion");
+  model.gravity = number_from(dynamics, "gravity", 0, model.gravity, "m/s2");
+  model.drag.coefficient = number_from(dynamics, "drag", 0, 0, "kg/(m s)");
+  if (const auto medium = dynamics.find("medium_velocity")) model.drag.medium_velocity = point_from(*medium);
+  model.box = read_box(table_from(dynamics, "box", "it holds the corners min and max"));
+  model.contact = read_contact(table_from(dynamics, "contact", "it holds the law between particles"));
+  model.wall = read_contact(table_from(dynamics, "wall", "it holds the law between particle and wall"));
+  if (dynamics.find("bond")) model.bond = read_bond(*dynamics.table("bond"));
+  model.schedule = read_phases(dynamics, model, t_end);
+  read_particles(table_from(dynamics, "particles", "it holds count and radius, or a list"), density, initial,
+                 input);
+  constexpr double usual_skin =
+      0.2;  // of the smallest radius: wider lists more pairs, narrower lists oftener
+  model.skin = positive_or(dynamics, "skin", usual_skin * smallest_radius(input.particles), "m");
+  return input;
+}
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,88 @@
+#include "case/read_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "case/checks/warnings.hpp"
+#include "case/read_inputs.hpp"
+#include "contact/conductance.hpp"
+#include "core/error.hpp"
+
+namespace superstep {
+namespace {
+
+void set_capacities(const Packing& packing, const Materials& materials, const FieldMaterials& field,
+                    Graph& graph) {
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const double radius = packing.radius[k];
+    const double mass =
+        materials.density(packing.material[k]) * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+    graph.capacity.push_back(mass *
+                             field.of_material[static_cast<std::size_t>(packing.material[k])].capacity);
+  }
+}
+
+void set_conductances(const PackingInput& input, const FieldMaterials& field, FieldScene& scene) {
+  const auto& packing = input.scene.packing;
+  const auto& contacts = input.scene.contacts;
+  auto& graph = scene.graph;
+  graph.i = contacts.i;
+  graph.j = contacts.j;
+  graph.conductance.reserve(contacts.size());
+  scene.bare.reserve(contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto i = static_cast<std::size_t>(contacts.i[k]), j = static_cast<std::size_t>(contacts.j[k]);
+    const auto a = packing.material[i], b = packing.material[j];
+    const double kappa_i = field.of_material[static_cast<std::size_t>(a)].conductivity.value;
+    const double kappa_j = field.of_material[static_cast<std::size_t>(b)].conductivity.value;
+    const double neck = contacts.neck_radius[k];
+    if (input.pipe) {
+      const double distance = norm(packing.centre[i] - packing.centre[j]);
+      graph.conductance.push_back(pipe_conductance(kappa_i, kappa_j, neck, distance));
+      scene.bare.push_back(graph.conductance.back());
+    } else {
+      graph.conductance.push_back(series_conductance(kappa_i, kappa_j, neck, field.interface(a, b)));
+      scene.bare.push_back(series_conductance(kappa_i, kappa_j, neck, Interface{}));
+    }
+  }
+}
+
+}  // namespace
+
+const FieldKind& thermal_kind() {
+  static const FieldKind kind{"thermal", "temperature", "K", "specific_heat"};
+  return kind;
+}
+
+const FieldKind& electric_kind() {
+  static const FieldKind kind{"electric", "potential", "V", "specific_capacity"};
+  return kind;
+}
+
+FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInput& input,
+                      Materials& materials, bool steady) {
+  const auto& packing = input.scene.packing;
+  FieldScene scene;
+  scene.name = kind.name;
+  scene.unit = kind.unit;
+  scene.steady = steady;
+  const FieldMaterials field = materials.field(kind.table, table, steady ? "" : kind.capacity_key);
+  scene.warnings = material_warnings(kind, field, materials);
+  scene.laws.material = packing.material;
+  scene.laws.mean = input.pipe ? ConductanceMean::arithmetic : ConductanceMean::harmonic;
+  for (const auto& conduction : field.of_material) scene.laws.of_material.push_back(conduction.conductivity);
+  auto& graph = scene.graph;
+  graph.id = packing.id;
+  graph.source.assign(packing.size(), 0.0);
+  graph.initial.assign(packing.size(), table.number("initial").value_or(0.0));
+  graph.fixed_value.assign(packing.size(), 0.0);
+  graph.is_fixed.assign(packing.size(), 0);
+  set_capacities(packing, materials, field, graph);
+  set_conductances(input, field, scene);
+  read_inputs(table, packing, input.unit, kind.name == thermal_kind().name, graph);
+  return scene;
+}
+
+}  // namespace superstep

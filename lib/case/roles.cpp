@@ -1,0 +1,126 @@
+#include "case/roles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "network/components.hpp"
+
+namespace superstep {
+namespace {
+
+struct ComponentFacts {
+  bool seen = false, uniform = true, acted_on = false, sourced = false;
+  bool has_fixed = false, has_free = false, fixed_differ = false;
+  double value = 0, fixed_value = 0;
+  [[nodiscard]] bool idle() const noexcept { return uniform && !acted_on && !sourced && has_free; }
+};
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+void examine_values(const Graph& graph, const Components& components, std::vector<ComponentFacts>& facts) {
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    auto& fact = facts[at(components.of_node[node])];
+    const bool fixed = graph.is_fixed[node] != 0;
+    const double value = fixed ? graph.fixed_value[node] : graph.initial[node];
+    if (fact.seen && value != fact.value) fact.uniform = false;
+    fact.seen = true;
+    fact.value = value;
+    if (fixed && !graph.fixed_table.empty() && graph.fixed_table[node] >= 0) fact.uniform = false;
+    if (fixed && fact.has_fixed && value != fact.fixed_value) fact.fixed_differ = true;
+    if (fixed) fact.fixed_value = value;
+    fact.sourced = fact.sourced || (!fixed && graph.source[node] != 0);
+    (fixed ? fact.has_fixed : fact.has_free) = true;
+  }
+}
+
+std::vector<ComponentFacts> examine(const Graph& graph, const Components& components,
+                                    std::span<const char> acted_on) {
+  std::vector<ComponentFacts> facts(components.count);
+  examine_values(graph, components, facts);
+  const auto fact_of = [&](std::int32_t node) -> ComponentFacts& {
+    return facts[at(components.of_node[at(node)])];
+  };
+  for (const auto& source : graph.tabled_sources)
+    if (!graph.is_fixed[at(source.node)]) fact_of(source.node).sourced = true;
+  for (const auto* exchanges : {&graph.convection, &graph.radiation})
+    for (const auto& exchange : *exchanges) {
+      auto& fact = fact_of(exchange.node);
+      if (exchange.table >= 0 || exchange.ambient != fact.value) fact.acted_on = true;
+    }
+  for (std::size_t node = 0; node < acted_on.size(); ++node)
+    if (acted_on[node] && !graph.is_fixed[node]) facts[at(components.of_node[node])].acted_on = true;
+  return facts;
+}
+
+}  // namespace
+
+RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<const char> acted_on) {
+  const Components components = connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
+  const auto facts = examine(graph, components, acted_on);
+  const bool something_moves =
+      std::any_of(facts.begin(), facts.end(), [](const auto& fact) { return fact.has_free && !fact.idle(); });
+  RoleReport report;
+  report.components = components.count;
+  for (const auto& fact : facts) {
+    if (something_moves && fact.idle())
+      ++report.idle_clusters;
+    else if (fact.has_free && !fact.has_fixed)
+      ++report.floating;
+  }
+  report.roles.resize(graph.nodes());
+  report.live.resize(graph.nodes());
+  bool any_free = false;
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    const auto& fact = facts[at(components.of_node[node])];
+    const bool idle = something_moves && fact.idle();
+    report.roles[node] = graph.is_fixed[node] != 0 ? NodeRole::fixed : idle ? NodeRole::idle : NodeRole::free;
+    report.live[node] = !fact.idle() && (!fact.uniform || fact.acted_on || fact.sourced);
+    any_free = any_free || report.roles[node] == NodeRole::free;
+  }
+  if (!any_free)
+    throw InputError(
+        fmt::format("{}: every node is fixed, so nothing is left to integrate; free some", where));
+  return report;
+}
+
+RoleReport assign_steady_roles(const Graph& graph, const std::string& where) {
+  const Components components = connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
+  const auto facts = examine(graph, components, {});
+  bool joined = false;
+  std::vector<double> levels;
+  for (const auto& fact : facts) {
+    if (fact.sourced && !fact.has_fixed)
+      throw InputError(fmt::format(
+          "{}: a current source feeds a cluster without a fixed potential, where no steady potential exists; "
+          "fix a potential there, or remove the source",
+          where));
+    joined = joined || fact.fixed_differ || fact.sourced;
+    if (fact.has_fixed) levels.push_back(fact.fixed_value);
+  }
+  if (levels.empty())
+    throw InputError(fmt::format("{}: a steady field needs at least one fixed value", where));
+  const bool differ = std::adjacent_find(levels.begin(), levels.end(), std::not_equal_to<>()) != levels.end();
+  if (differ && !joined)
+    throw InputError(
+        fmt::format("{}: the electrodes share no cluster, so that no current can flow; connect them (a "
+                    "contact law with larger necks, a denser packing), or select other electrodes",
+                    where));
+  RoleReport report;
+  report.components = components.count;
+  for (const auto& fact : facts)
+    if (!fact.has_fixed) ++report.floating;
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    const auto& fact = facts[at(components.of_node[node])];
+    report.roles.push_back(graph.is_fixed[node] ? NodeRole::fixed
+                           : fact.has_fixed     ? NodeRole::free
+                                                : NodeRole::idle);
+    report.live.push_back(fact.has_fixed && (fact.fixed_differ || fact.sourced || !fact.uniform));
+  }
+  return report;
+}
+
+}  // namespace superstep

@@ -1,0 +1,189 @@
+#include "results/read_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "reports/html/thinning.hpp"
+#include "results/text/csv_table.hpp"
+
+namespace superstep {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_instants = 1000, most_frames = 6, most_spheres = 1500;
+
+/// Columns of history.csv by name.
+class History {
+ public:
+  explicit History(const std::string& path) : table_(path) {
+    if (table_.rows() == 0) throw InputError(path + ": it has no rows; write it anew with superstep run");
+  }
+  [[nodiscard]] std::size_t rows() const noexcept { return table_.rows(); }
+  [[nodiscard]] double at(std::size_t row, const char* name) const {
+    return table_.required(row, table_.column(name));
+  }
+  [[nodiscard]] std::string phase(std::size_t row) const { return table_.text(row, table_.column("phase")); }
+
+  [[nodiscard]] std::vector<double> column(const char* name, const std::vector<std::size_t>& kept) const {
+    const std::size_t c = table_.column(name);
+    std::vector<double> out;
+    for (const std::size_t row : kept) out.push_back(table_.required(row, c));
+    return out;
+  }
+
+ private:
+  CsvTable table_;
+};
+
+MotionHistory thinned(const History& all) {
+  const auto kept = evenly_thinned(all.rows(), most_instants);
+  return {.time = all.column("time", kept),
+          .volume_fraction = all.column("volume_fraction", kept),
+          .mean_temperature = all.column("mean_temperature", kept),
+          .max_temperature = all.column("max_temperature", kept),
+          .wall_force = all.column("wall_force", kept),
+          .bonds = all.column("bonds", kept),
+          .contacts = all.column("contacts", kept)};
+}
+
+/// The first row is the initial state: it belongs to the first phase but is no step.
+std::vector<MotionPhase> phases_of(const History& all) {
+  std::vector<MotionPhase> phases;
+  for (std::size_t row = 0; row < all.rows(); ++row) {
+    const std::string name = all.phase(row);
+    if (phases.empty() || phases.back().name != name) {
+      const double begin = phases.empty() ? all.at(row, "time") : phases.back().end;
+      phases.push_back({.name = name, .begin = begin});
+    }
+    MotionPhase& phase = phases.back();
+    phase.end = all.at(row, "time");
+    phase.steps += row > 0 ? 1 : 0;
+    phase.volume_fraction = all.at(row, "volume_fraction");
+    phase.mean_temperature = all.at(row, "mean_temperature");
+    phase.max_temperature = all.at(row, "max_temperature");
+    phase.wall_force = all.at(row, "wall_force");
+    phase.largest_wall_force = std::max(phase.largest_wall_force, phase.wall_force);
+    phase.bonds = all.at(row, "bonds");
+    phase.contacts = all.at(row, "contacts");
+  }
+  return phases;
+}
+
+void find_largest_fraction(const History& all, MotionInput& motion) {
+  for (std::size_t row = 0; row < all.rows(); ++row)
+    if (const double fraction = all.at(row, "volume_fraction"); fraction > motion.largest_fraction) {
+      motion.largest_fraction = fraction;
+      motion.largest_fraction_at = all.at(row, "time");
+    }
+}
+
+/// The half behind the plane, and of many particles those nearest to it: they hide the others.
+MotionFrame read_frame(const std::string& path, double time, double upper_wall, double plane) {
+  const CsvTable table(path);
+  const auto id = table.column("id"), x = table.column("x"), y = table.column("y"), z = table.column("z"),
+             r = table.column("r"), temperature = table.column("temperature");
+  MotionFrame frame{.time = time, .upper_wall = upper_wall, .behind = 0, .spheres = {}};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double depth = table.required(row, y) - plane;
+    if (depth < 0) continue;
+    frame.spheres.push_back({static_cast<std::int64_t>(table.required(row, id)), table.required(row, x),
+                             table.required(row, z), depth, table.required(row, r),
+                             table.required(row, temperature)});
+  }
+  frame.behind = frame.spheres.size();
+  std::stable_sort(frame.spheres.begin(), frame.spheres.end(),
+                   [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  if (frame.behind > most_spheres)
+    frame.spheres.erase(frame.spheres.begin(),
+                        frame.spheres.end() - static_cast<std::ptrdiff_t>(most_spheres));
+  return frame;
+}
+
+/// Which of the snapshots taken at `times` are shown: the first one, the last one of each phase, and where
+/// there is room left those furthest in time from the others.
+std::vector<std::size_t> shown_frames(const std::vector<double>& times,
+                                      const std::vector<MotionPhase>& phases) {
+  std::set<std::size_t> chosen;
+  if (!times.empty()) chosen.insert(0);
+  for (const auto& phase : phases)
+    for (std::size_t k = times.size(); k-- > 0;)
+      if (times[k] > phase.begin && times[k] <= phase.end) {
+        chosen.insert(k);
+        break;
+      }
+  const auto distance = [&](std::size_t k) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::size_t other : chosen) nearest = std::min(nearest, std::abs(times[k] - times[other]));
+    return nearest;
+  };
+  while (chosen.size() < std::min(most_frames, times.size())) {
+    std::size_t furthest = *chosen.begin();
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (!chosen.contains(k) && (chosen.contains(furthest) || distance(k) > distance(furthest)))
+        furthest = k;
+    chosen.insert(furthest);
+  }
+  const std::vector<std::size_t> all(chosen.begin(), chosen.end());
+  std::vector<std::size_t> out;
+  for (const std::size_t k : evenly_thinned(all.size(), most_frames)) out.push_back(all[k]);
+  return out;
+}
+
+// What is needed of "motion" in run.json, as `superstep run` writes it. A folder of an older program has no
+// box and no snapshots there: then there are no pictures.
+void read_frames(const std::string& folder, const Json& motion, MotionInput& out) {
+  if (!motion.contains("box") || !motion.contains("snapshots")) return;
+  const Json& snapshots = motion.at("snapshots");
+  out.box_min = motion.at("box").at("min").get<std::array<double, 3>>();
+  out.box_max = motion.at("box").at("max").get<std::array<double, 3>>();
+  const double plane = 0.5 * (out.box_min[1] + out.box_max[1]);
+  std::vector<double> times;
+  for (const Json& one : snapshots) times.push_back(one.at("time").get<double>());
+  for (const std::size_t k : shown_frames(times, out.phases)) {
+    const Json& one = snapshots.at(k);
+    // Only what is inside the folder: the name comes from a file.
+    const std::filesystem::path name = one.at("file").get<std::string>();
+    const auto goes_up = [](const std::filesystem::path& part) { return part == ".."; };
+    if (name.is_absolute() || std::any_of(name.begin(), name.end(), goes_up))
+      throw InputError(
+          fmt::format("{}/run.json: snapshot '{}' is not inside the folder", folder, name.string()));
+    out.frames.push_back(
+        read_frame(folder + "/" + name.string(), times[k], one.at("upper_wall").get<double>(), plane));
+  }
+}
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
+}  // namespace
+
+std::optional<MotionInput> read_motion(const std::string& folder) {
+  const std::string path = folder + "/run.json", history_path = folder + "/history.csv";
+  const Json json = Json::parse(read_text_file(path), nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || !json.contains("motion") || !exists(history_path)) return std::nullopt;
+  const History all(history_path);
+  MotionInput motion;
+  motion.history = thinned(all);
+  motion.phases = phases_of(all);
+  find_largest_fraction(all, motion);
+  try {
+    read_frames(folder, json.at("motion"), motion);
+  } catch (const Json::exception& error) {
+    throw InputError(
+        fmt::format("{}: \"motion\" is broken ({}); write it anew with superstep run", path, error.what()));
+  }
+  return motion;
+}
+
+}  // namespace superstep

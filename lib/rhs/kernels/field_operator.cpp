@@ -1,0 +1,176 @@
+#include "rhs/kernels/field_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rhs/kernels/sweep.hpp"
+
+namespace superstep {
+namespace {
+
+std::size_t at(std::int32_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+std::size_t at(std::int64_t k) noexcept {
+  return static_cast<std::size_t>(k);
+}
+
+double fourth_power(double x) noexcept {
+  return (x * x) * (x * x);
+}
+
+/// Those of a list sorted by row that act on rows [first, last).
+template <class Entry>
+std::span<const Entry> in_rows(const std::vector<Entry>& sorted, std::size_t first, std::size_t last) {
+  const auto from = [&](std::size_t row) {
+    return std::lower_bound(sorted.begin(), sorted.end(), row,
+                            [](const Entry& entry, std::size_t bound) { return at(entry.row) < bound; });
+  };
+  return {from(first), from(last)};
+}
+
+}  // namespace
+
+SpectralBounds spectral_bounds(const Network& network) {
+  const auto total = network.total_conductance(), ghost = network.ghost_conductance();
+  SpectralBounds bounds;
+  for (std::size_t i = 0; i < network.size(); ++i) {
+    const double capacity = network.capacity[i];
+    bounds.gershgorin = std::max(bounds.gershgorin, (2 * total[i] - ghost[i]) / capacity);
+    bounds.edge = std::max(bounds.edge, total[i] / capacity);
+    for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k) {
+      const auto j = at(network.column[at(k)]);
+      bounds.edge = std::max(bounds.edge, total[i] / capacity + total[j] / network.capacity[j]);
+    }
+  }
+  return bounds;
+}
+
+FieldOperator::FieldOperator(Network network)
+    : network_(std::move(network)),
+      rate_(network_.row_begin, network_.column),
+      ghost_value_(network_.ghost_value),
+      inputs_(network_.tables) {
+  set_conductances(network_.conductance, {});
+  for (std::size_t i = 0; i < size(); ++i)
+    if (network_.source[i] != 0)
+      sources_.push_back({static_cast<std::int32_t>(i), network_.source[i] / network_.capacity[i]});
+  for (const auto& source : network_.tabled_sources) tabled_.push_back({source.node, source.table});
+  std::stable_sort(tabled_.begin(), tabled_.end(),
+                   [](const TabledRate& a, const TabledRate& b) { return a.row < b.row; });
+  constant_ghosts_ = std::all_of(network_.ghost_table.begin(), network_.ghost_table.end(),
+                                 [](std::int32_t table) { return table < 0; });
+  constant_inputs_ = network_.inputs_are_constant();
+  for (const auto& exchange : network_.radiation)
+    radiation_.push_back({exchange.node, exchange.table,
+                          exchange.coefficient / network_.capacity[at(exchange.node)],
+                          fourth_power(exchange.ambient)});
+  find_facts();
+}
+
+void FieldOperator::set_conductances(std::span<const double> edges, std::span<const double> ghost_edges) {
+  if (edges.data() != network_.conductance.data())
+    std::copy(edges.begin(), edges.end(), network_.conductance.begin());
+  for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
+  rate_.set_values(network_.row_begin, [this](std::size_t row, std::size_t k) {
+    return network_.conductance[k] / network_.capacity[row];
+  });
+  ghosts_.clear();
+  for (const auto& edge : network_.ghost_edges)
+    ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
+}
+
+std::span<const double> FieldOperator::ghost_values(double t) {
+  if (!constant_ghosts_ && (t != ghost_time_ || !ghosts_are_current_)) {
+    for (std::size_t g = 0; g < ghost_value_.size(); ++g)
+      if (const auto table = network_.ghost_table[g]; table >= 0) ghost_value_[g] = inputs_.at(at(table), t);
+    ghost_time_ = t;
+    ghosts_are_current_ = true;
+  }
+  return ghost_value_;
+}
+
+void FieldOperator::enter(double begin, double end) noexcept {
+  inputs_.enter(begin, end);
+  ghosts_are_current_ = false;
+}
+
+void FieldOperator::leave() noexcept {
+  inputs_.leave();
+  ghosts_are_current_ = false;
+}
+
+double FieldOperator::ambient4(const RadiationRate& radiation, double t) const noexcept {
+  return radiation.table < 0 ? radiation.ambient4 : fourth_power(inputs_.at(at(radiation.table), t));
+}
+
+void FieldOperator::add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last,
+                               double* out) const {
+  for (const auto& ghost : in_rows(ghosts_, first, last))
+    out[at(ghost.row)] += stage.d * ghost.rate * (ghost_value_[at(ghost.ghost)] - stage.y1[ghost.row]);
+  for (const auto& source : in_rows(sources_, first, last)) out[at(source.row)] += stage.d * source.rate;
+  for (const auto& source : in_rows(tabled_, first, last))
+    out[at(source.row)] += stage.d * inputs_.at(at(source.table), t) / network_.capacity[at(source.row)];
+  for (const auto& radiation : in_rows(radiation_, first, last))
+    out[at(radiation.row)] +=
+        stage.d * radiation.rate * (ambient4(radiation, t) - fourth_power(stage.y1[radiation.row]));
+}
+
+void FieldOperator::stage(double t, const Stage& stage, double* out) {
+  (void)ghost_values(t);
+  for_slices(rate_, [&](std::size_t first, std::size_t last) { stage_slices(t, stage, first, last, out); });
+}
+
+void FieldOperator::stage_slices(double t, const Stage& stage, std::size_t first, std::size_t last,
+                                 double* out) const noexcept {
+  fused_sweep(rate_, stage, first, last, out);
+  add_inputs(t, stage, first * SlicedRows::lanes, last * SlicedRows::lanes, out);
+}
+
+void FieldOperator::conduction_stage(const Stage& stage, double* out) const {
+  for_slices(rate_, [&](std::size_t first, std::size_t last) {
+    fused_sweep(rate_, stage, first, last, out);
+    for (const auto& ghost : in_rows(ghosts_, first * SlicedRows::lanes, last * SlicedRows::lanes))
+      out[at(ghost.row)] -= stage.d * ghost.rate * stage.y1[ghost.row];
+  });
+}
+
+double FieldOperator::inflow(double t, std::span<const double> y) {
+  (void)ghost_values(t);
+  RowInflow sum;
+  add_inflow(t, y.data(), 0, size(), sum);
+  return total_inflow(t, sum);
+}
+
+void FieldOperator::add_inflow(double t, const double* y, std::size_t first, std::size_t last,
+                               RowInflow& sum) const {
+  for (const auto& edge : in_rows(network_.ghost_edges, first, last))
+    sum.exchanged += edge.conductance * (ghost_value_[at(edge.ghost)] - y[edge.row]);
+  for (const auto& radiation : in_rows(radiation_, first, last))
+    sum.radiated += radiation.rate * network_.capacity[at(radiation.row)] *
+                    (ambient4(radiation, t) - fourth_power(y[radiation.row]));
+}
+
+double FieldOperator::total_inflow(double t, const RowInflow& sum) const {
+  double supplied = 0;
+  for (const auto& source : sources_) supplied += source.rate * network_.capacity[at(source.row)];
+  for (const auto& source : tabled_) supplied += inputs_.at(at(source.table), t);
+  return sum.exchanged + supplied + sum.radiated;
+}
+
+double FieldOperator::conduction_inflow(std::span<const double> v) const {
+  double sum = 0;
+  for (const auto& edge : network_.ghost_edges) sum -= edge.conductance * v[at(edge.row)];
+  return sum;
+}
+
+double FieldOperator::radiation_slope(std::span<const double> y) const noexcept {
+  double largest = 0;
+  for (const auto& radiation : radiation_) {
+    const double magnitude = std::abs(y[at(radiation.row)]);
+    largest = std::max(largest, 4 * radiation.rate * magnitude * magnitude * magnitude);
+  }
+  return largest;
+}
+
+}  // namespace superstep

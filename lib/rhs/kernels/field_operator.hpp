@@ -1,0 +1,148 @@
+#pragma once
+/// One field on its network: conduction, fixed values, sources, convection and radiation.
+///   C_i dy_i/dt = sum_j K_ij (y_j - y_i) + sum_g K_ig (y_g(t) - y_i) + Q_i(t) + r_i (y_env(t)^4 - y_i^4)
+/// Source: Rojek & Nisar 2026, eqs 1, 3 and 5. What a scene does not have costs nothing: its list is empty.
+
+#include <vector>
+
+#include "network/network.hpp"
+#include "rhs/kernels/skewed_passes.hpp"
+#include "rhs/kernels/sliced_rows.hpp"
+#include "rhs/rhs.hpp"
+#include "rhs/tabled_inputs.hpp"
+
+namespace superstep {
+
+/// The certified bounds of the spectral radius of C^-1 K [1/s]; both are rigorous.
+struct SpectralBounds {
+  double edge = 0;  ///< max over free edges of d_i/C_i + d_j/C_j (a node with only fixed neighbours: d_i/C_i)
+  double gershgorin = 0;  ///< max over nodes of (2 d_i - g_i)/C_i, g_i = conductance to fixed nodes
+  [[nodiscard]] double smallest() const noexcept { return edge < gershgorin ? edge : gershgorin; }
+};
+[[nodiscard]] SpectralBounds spectral_bounds(const Network& network);
+
+/// Adds a breakpoint for every knot of a table.
+///   weight  rms rate of change per unit of the table;  field  its number in the right-hand side
+void add_knots(const TimeTable& table, double weight, std::size_t field, std::vector<Breakpoint>& points);
+
+class FieldOperator {
+ public:
+  explicit FieldOperator(Network network);
+
+  [[nodiscard]] std::size_t size() const noexcept { return network_.size(); }
+  [[nodiscard]] const Network& network() const noexcept { return network_; }
+
+  /// out = stage with f = the whole right-hand side of the field at (t, y1). One sweep.
+  void stage(double t, const Stage& stage, double* out);
+  /// The stages of a chain, see Rhs::chain.
+  ///   drive  rates [n] added to f [K/s or V/s], or empty
+  void chain(std::span<ChainedStage> stages, bool with_inflow, std::span<const double> drive,
+             ChainObserver* observer);
+  /// What of a chain's data may stay in the cache [bytes]; decides how many stages pass over the network
+  /// together. Results do not depend on it.
+  void assume_cache(std::size_t bytes) noexcept { cache_bytes_ = bytes; }
+  /// Stages that pass over the network together.
+  [[nodiscard]] std::size_t chain_depth() const noexcept;
+  /// out = stage with f = conduction alone, fixed values taken as 0: J y1 without radiation. One sweep.
+  void conduction_stage(const Stage& stage, double* out) const;
+  /// Values of the ghosts at t [g].
+  [[nodiscard]] std::span<const double> ghost_values(double t);
+
+  /// Net flow into the field through fixed values, sources, convection and radiation [W or A].
+  [[nodiscard]] double inflow(double t, std::span<const double> y);
+  /// Derivative of `inflow` along v, without radiation.
+  [[nodiscard]] double conduction_inflow(std::span<const double> v) const;
+  [[nodiscard]] const FieldFacts& facts() const noexcept { return facts_; }
+  /// Adds a breakpoint for every knot of a table that acts on the field.
+  ///   field  its number among those of the right-hand side
+  void add_breakpoints(std::size_t field, std::vector<Breakpoint>& points) const;
+  /// See Rhs::enter and Rhs::leave.
+  void enter(double begin, double end) noexcept;
+  void leave() noexcept;
+  [[nodiscard]] const TabledInputs& inputs() const noexcept { return inputs_; }
+  /// Largest slope of radiation, 4 r_i |y_i|^3/C_i [1/s].
+  [[nodiscard]] double radiation_slope(std::span<const double> y) const noexcept;
+
+  /// Calls add(row, column, value) for every contribution to df/dy [1/s]: several may meet in one place.
+  template <class Add>
+  void jacobian(std::span<const double> y, Add add) const;
+
+  /// New conductances on the same graph [nnz] and of the ghost edges [ghost edges], W/K or S.
+  void set_conductances(std::span<const double> edges, std::span<const double> ghost_edges);
+
+ private:
+  struct GhostRate {
+    std::int32_t row, ghost;
+    double rate;  ///< K/C [1/s]
+  };
+  struct SourceRate {
+    std::int32_t row;
+    double rate;  ///< Q/C [K/s or V/s]
+  };
+  struct TabledRate {
+    std::int32_t row, table;
+  };
+  struct RadiationRate {
+    std::int32_t row, table;
+    double rate;  ///< emissivity sigma_SB A/C [1/(K^3 s)]
+    double ambient4;
+  };
+
+  [[nodiscard]] double ambient4(const RadiationRate& radiation, double t) const noexcept;
+  /// What flows into rows, as far as it depends on them [W or A].
+  struct RowInflow {
+    double exchanged = 0, radiated = 0;
+  };
+  void add_inflow(double t, const double* y, std::size_t first, std::size_t last, RowInflow& sum) const;
+  /// With what sources supply.
+  [[nodiscard]] double total_inflow(double t, const RowInflow& sum) const;
+
+  // For a time that `ghost_values` has been called with.
+  void stage_slices(double t, const Stage& stage, std::size_t first, std::size_t last,
+                    double* out) const noexcept;
+  void add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last, double* out) const;
+
+  void find_facts();
+  [[nodiscard]] SkewedBlocks chain_blocks() const noexcept;
+  void pass_together(std::span<ChainedStage> stages, std::size_t first_stage, bool with_inflow,
+                     std::span<const double> drive, ChainObserver* observer);
+
+  Network network_;
+  SlicedRows rate_;  ///< K_ij/C_i [1/s]
+  std::vector<GhostRate> ghosts_;
+  std::vector<double> ghost_value_;  ///< [g] at `ghost_time_`
+  TabledInputs inputs_;
+  FieldFacts facts_;
+  std::vector<SourceRate> sources_;
+  std::vector<TabledRate> tabled_;
+  std::vector<RadiationRate> radiation_;
+  bool constant_ghosts_ = true, constant_inputs_ = true;
+  // Half of the last cache of common processors. More than there is costs little: what does not fit comes
+  // from memory as it would have without.
+  std::size_t cache_bytes_ = std::size_t{12} << 20;
+  double ghost_time_ = 0;
+  bool ghosts_are_current_ = true;
+};
+
+template <class Add>
+void FieldOperator::jacobian(std::span<const double> y, Add add) const {
+  for (std::size_t i = 0; i < size(); ++i) {
+    double diagonal = 0;
+    for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k) {
+      const double rate = network_.conductance[static_cast<std::size_t>(k)] / network_.capacity[i];
+      diagonal -= rate;
+      add(i, static_cast<std::size_t>(network_.column[static_cast<std::size_t>(k)]), rate);
+    }
+    add(i, i, diagonal);
+  }
+  for (const auto& ghost : ghosts_) {
+    const auto row = static_cast<std::size_t>(ghost.row);
+    add(row, row, -ghost.rate);
+  }
+  for (const auto& radiation : radiation_) {
+    const auto row = static_cast<std::size_t>(radiation.row);
+    add(row, row, -4 * radiation.rate * y[row] * y[row] * y[row]);
+  }
+}
+
+}  // namespace superstep

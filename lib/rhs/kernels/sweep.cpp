@@ -1,0 +1,244 @@
+#include "rhs/kernels/sweep.hpp"
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+// One text, compiled for each instruction set: inlined into functions with a `target` of their own.
+#define SUPERSTEP_INLINE [[gnu::always_inline]] inline
+
+namespace superstep {
+namespace {
+
+/// `width` doubles in a vector register.
+template <std::size_t width>
+struct Vector {
+  typedef double type __attribute__((vector_size(width * sizeof(double))));
+};
+
+// Distances that pay beyond the cache on the processors measured (AMD Zen 5): processors stop prefetching at
+// the end of a page, so entries are asked for a page ahead.
+constexpr std::int64_t entries_ahead = 512;
+constexpr std::size_t nodes_ahead = 64;
+
+/// Asks for what slices further on will read: entries, and the first touch of a neighbour's value, which
+/// comes at the largest distance from the own row and which no processor foresees.
+SUPERSTEP_INLINE void prefetch_entries(const SlicedRows& rows, std::int64_t k) {
+  __builtin_prefetch(rows.value() + k + entries_ahead);
+  __builtin_prefetch(rows.column() + k + entries_ahead);
+}
+SUPERSTEP_INLINE void prefetch_node(const SlicedRows& rows, const double* y, std::size_t row) {
+  __builtin_prefetch(y + std::min(row + rows.reach() + nodes_ahead, rows.rows()));
+}
+
+/// Two neighbours in one load: in cache it is loads that limit the kernel.
+struct NeighbourPair {
+  SUPERSTEP_INLINE explicit NeighbourPair(const std::int32_t* from) {
+    std::memcpy(&both, from, sizeof(both));
+  }
+  [[nodiscard]] SUPERSTEP_INLINE std::size_t first() const {
+    return std::endian::native == std::endian::little ? both & 0xffff'ffffU : both >> 32;
+  }
+  [[nodiscard]] SUPERSTEP_INLINE std::size_t second() const {
+    return std::endian::native == std::endian::little ? both >> 32 : both & 0xffff'ffffU;
+  }
+  std::uint64_t both;
+};
+
+/// Values of `width` neighbours. Single loads beat gather instructions by half on the processors measured,
+/// and halves put together what compilers make of eight.
+/// Not returned: the ABI of a function that returns a vector depends on the instruction set.
+template <std::size_t width>
+SUPERSTEP_INLINE void gather(const double* y, const std::int32_t* column, typename Vector<width>::type& out) {
+  if constexpr (width == 4) {
+    const NeighbourPair a(column), b(column + 2);
+    out = typename Vector<4>::type{y[a.first()], y[a.second()], y[b.first()], y[b.second()]};
+  } else {
+    typename Vector<4>::type low, high;
+    gather<4>(y, column, low);
+    gather<4>(y, column + 4, high);
+    out = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+}
+
+/// Rows of a slice that are not all there, one by one.
+SUPERSTEP_INLINE void sweep_rows(const SlicedRows& rate, const Stage& stage, std::size_t slice, double* out) {
+  constexpr auto lanes = SlicedRows::lanes;
+  const double* y = stage.y1;
+  for (std::size_t row = slice * lanes; row < rate.rows(); ++row) {
+    double flux = 0;
+    for (auto k = rate.begin()[slice]; k < rate.begin()[slice + 1]; k += lanes) {
+      const auto entry = k + static_cast<std::int64_t>(row % lanes);
+      flux += rate.value()[entry] * (y[rate.column()[entry]] - y[row]);
+    }
+    double value = stage.a * y[row] + stage.d * flux;
+    if (stage.y2) value += stage.b * stage.y2[row];
+    if (stage.y0) value += stage.c * stage.y0[row];
+    if (stage.f0) value += stage.e * stage.f0[row];
+    out[row] = value;
+  }
+}
+
+template <std::size_t width>
+SUPERSTEP_INLINE void sweep_slices(const SlicedRows& rate, const Stage& stage, std::size_t first,
+                                   std::size_t last, double* out) {
+  using Pack = typename Vector<width>::type;
+  constexpr std::size_t lanes = SlicedRows::lanes, packs = lanes / width;
+  const std::size_t whole = std::min(last, rate.rows() / lanes);
+  const double* const y = stage.y1;
+  for (std::size_t slice = first; slice < whole; ++slice) {
+    const std::size_t row = slice * lanes;
+    Pack own[packs], flux[packs];
+    for (std::size_t p = 0; p < packs; ++p) {
+      std::memcpy(&own[p], y + row + p * width, sizeof(Pack));
+      flux[p] = Pack{};
+    }
+    prefetch_node(rate, y, row);
+    for (auto k = rate.begin()[slice]; k < rate.begin()[slice + 1]; k += lanes) {
+      prefetch_entries(rate, k);
+      for (std::size_t p = 0; p < packs; ++p) {
+        Pack other, factor;
+        gather<width>(y, rate.column() + k + p * width, other);
+        std::memcpy(&factor, rate.value() + k + p * width, sizeof(Pack));
+        flux[p] += factor * (other - own[p]);
+      }
+    }
+    for (std::size_t p = 0; p < packs; ++p) {
+      Pack value = stage.a * own[p] + stage.d * flux[p], term;
+      const auto add = [&](double factor, const double* vector) __attribute__((always_inline)) {
+        std::memcpy(&term, vector + row + p * width, sizeof(Pack));
+        value += factor * term;
+      };
+      if (stage.y2) add(stage.b, stage.y2);
+      if (stage.y0) add(stage.c, stage.y0);
+      if (stage.f0) add(stage.e, stage.f0);
+      std::memcpy(out + row + p * width, &value, sizeof(Pack));
+    }
+  }
+  if (whole < last) sweep_rows(rate, stage, whole, out);
+}
+
+SUPERSTEP_INLINE void heat_rows(const SlicedRows& weight, const double* potential,
+                                const double* inverse_capacity, std::size_t slice, double* out) {
+  constexpr auto lanes = SlicedRows::lanes;
+  for (std::size_t row = slice * lanes; row < weight.rows(); ++row) {
+    double heat = 0;
+    for (auto k = weight.begin()[slice]; k < weight.begin()[slice + 1]; k += lanes) {
+      const auto entry = k + static_cast<std::int64_t>(row % lanes);
+      const double difference = potential[weight.column()[entry]] - potential[row];
+      heat += weight.value()[entry] * difference * difference;
+    }
+    out[row] = heat * inverse_capacity[row];
+  }
+}
+
+template <std::size_t width>
+SUPERSTEP_INLINE void heat_slices(const SlicedRows& weight, const double* potential,
+                                  const double* inverse_capacity, std::size_t first, std::size_t last,
+                                  double* out) {
+  using Pack = typename Vector<width>::type;
+  constexpr std::size_t lanes = SlicedRows::lanes, packs = lanes / width;
+  const std::size_t whole = std::min(last, weight.rows() / lanes);
+  for (std::size_t slice = first; slice < whole; ++slice) {
+    const std::size_t row = slice * lanes;
+    Pack own[packs], heat[packs];
+    for (std::size_t p = 0; p < packs; ++p) {
+      std::memcpy(&own[p], potential + row + p * width, sizeof(Pack));
+      heat[p] = Pack{};
+    }
+    prefetch_node(weight, potential, row);
+    for (auto k = weight.begin()[slice]; k < weight.begin()[slice + 1]; k += lanes) {
+      prefetch_entries(weight, k);
+      for (std::size_t p = 0; p < packs; ++p) {
+        Pack other, factor;
+        gather<width>(potential, weight.column() + k + p * width, other);
+        std::memcpy(&factor, weight.value() + k + p * width, sizeof(Pack));
+        const Pack difference = other - own[p];
+        heat[p] += factor * difference * difference;
+      }
+    }
+    for (std::size_t p = 0; p < packs; ++p) {
+      Pack scale;
+      std::memcpy(&scale, inverse_capacity + row + p * width, sizeof(Pack));
+      const Pack value = heat[p] * scale;
+      std::memcpy(out + row + p * width, &value, sizeof(Pack));
+    }
+  }
+  if (whole < last) heat_rows(weight, potential, inverse_capacity, whole, out);
+}
+
+#define SUPERSTEP_KERNELS(suffix, width, ...)                                                         \
+  __VA_ARGS__ void sweep_##suffix(const SlicedRows& rate, const Stage& stage, std::size_t first,      \
+                                  std::size_t last, double* out) noexcept {                           \
+    sweep_slices<width>(rate, stage, first, last, out);                                               \
+  }                                                                                                   \
+  __VA_ARGS__ void heat_##suffix(const SlicedRows& weight, const double* potential,                   \
+                                 const double* inverse_capacity, std::size_t first, std::size_t last, \
+                                 double* out) noexcept {                                              \
+    heat_slices<width>(weight, potential, inverse_capacity, first, last, out);                        \
+  }
+
+SUPERSTEP_KERNELS(baseline, 4)
+#if defined(__x86_64__)
+SUPERSTEP_KERNELS(avx2, 4, __attribute__((target("avx2,fma"))))
+SUPERSTEP_KERNELS(avx512, 8, __attribute__((target("avx512f,avx512vl,avx512dq,fma"))))
+#endif
+
+struct Kernels {
+  std::array<SweepKernel, 3> list;
+  std::size_t count = 0;
+};
+
+Kernels find_kernels() noexcept {
+  Kernels out{};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("fma"))
+    out.list[out.count++] = {"avx512", sweep_avx512, heat_avx512};
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    out.list[out.count++] = {"avx2", sweep_avx2, heat_avx2};
+#endif
+  out.list[out.count++] = {"baseline", sweep_baseline, heat_baseline};
+  return out;
+}
+
+}  // namespace
+
+std::span<const SweepKernel> sweep_kernels() noexcept {
+  static const Kernels kernels = find_kernels();
+  return std::span(kernels.list).first(kernels.count);
+}
+
+void fused_sweep(const SlicedRows& rate, const Stage& stage, std::size_t first, std::size_t last,
+                 double* out) noexcept {
+  sweep_kernels().front().sweep(rate, stage, first, last, out);
+}
+
+void fused_sweep(const SlicedRows& rate, const Stage& stage, double* out) noexcept {
+  for_slices(rate, [&](std::size_t first, std::size_t last) { fused_sweep(rate, stage, first, last, out); });
+}
+
+void heat_sweep(const SlicedRows& weight, const double* potential, const double* inverse_capacity,
+                double* out) noexcept {
+  const auto heat = sweep_kernels().front().heat;
+  for_slices(weight, [&](std::size_t first, std::size_t last) {
+    heat(weight, potential, inverse_capacity, first, last, out);
+  });
+}
+
+void reference_sweep(const SweepRows& rows, const Stage& stage, double* out) noexcept {
+  const double* y = stage.y1;
+  for (std::size_t i = 0; i + 1 < rows.row_begin.size(); ++i) {
+    double flux = 0;
+    for (auto k = static_cast<std::size_t>(rows.row_begin[i]);
+         k < static_cast<std::size_t>(rows.row_begin[i + 1]); ++k)
+      flux += rows.rate[k] * (y[rows.column[k]] - y[i]);
+    double value = stage.a * y[i] + stage.d * flux;
+    if (stage.y2) value += stage.b * stage.y2[i];
+    if (stage.y0) value += stage.c * stage.y0[i];
+    if (stage.f0) value += stage.e * stage.f0[i];
+    out[i] = value;
+  }
+}
+
+}  // namespace superstep

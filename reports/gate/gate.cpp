@@ -1,0 +1,177 @@
+#include "reports/gate/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace superstep {
+namespace {
+
+/// Counters that cost time; fewer is better.
+constexpr const char* counters[] = {"steps", "rejected", "rhs", "jacobians", "factorizations", "solves"};
+constexpr const char* errors[] = {"error_probe_mean", "error_rms", "error_max"};
+
+std::string text_of(const RatioInterval& ratio) {
+  return fmt::format("x {:.3f} ({:.3f} to {:.3f})", ratio.estimate, ratio.low, ratio.high);
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+class Judge {
+ public:
+  Judge(const ResultsFile& now, const ResultsFile& baseline,
+        const std::function<bool(const std::string&)>& is_adaptive, const GateLimits& limits)
+      : now_(now), baseline_(baseline), is_adaptive_(is_adaptive), limits_(limits) {}
+
+  GateReport run() {
+    report_.results = now_.path;
+    report_.baseline = baseline_.path;
+    comparable_ = now_.processor == baseline_.processor && now_.flags == baseline_.flags &&
+                  now_.threads == baseline_.threads;
+    if (!comparable_)
+      report_.notes.push_back(fmt::format(
+          "CPU times are not judged: processor, flags or threads differ ('{}', '{}', {} against "
+          "'{}', '{}', {}).",
+          now_.processor, now_.flags, now_.threads, baseline_.processor, baseline_.flags, baseline_.threads));
+    for (const auto& before : baseline_.cases) judge_case(before);
+    for (const auto& one : now_.cases)
+      if (!baseline_.find(one.name))
+        report_.notes.push_back(fmt::format("Case {} is not in the baseline.", one.name));
+    conclude();
+    return std::move(report_);
+  }
+
+ private:
+  void judge_case(const MeasuredCase& before) {
+    case_ = before.name;
+    const MeasuredCase* now = now_.find(before.name);
+    if (!now) {
+      spec_ = "";
+      return add("case", "measured", "missing", Verdict::regressed);
+    }
+    for (const auto& row : before.rows) judge_row(before, row, *now);
+    for (const auto& row : now->rows)
+      if (!before.find(row.spec))
+        report_.notes.push_back(fmt::format("{} on {} is not in the baseline.", row.spec, case_));
+  }
+
+  void judge_row(const MeasuredCase& case_before, const MeasuredRow& before, const MeasuredCase& case_now) {
+    spec_ = before.spec;
+    const MeasuredRow* now = case_now.find(before.spec);
+    if (!now) return add("method", "measured", "missing", Verdict::regressed);
+    if (before.status != now->status)
+      return add("status", before.status, now->status,
+                 now->status == "ok" ? Verdict::better : Verdict::regressed);
+    ++report_.passed;
+    if (before.status != "ok") return;
+    for (const char* counter : counters) judge_counter(counter, before, *now);
+    for (const std::string field : {"", "_potential"}) {
+      for (const char* error : errors) judge_error(error + field, "reference_error" + field, before, *now);
+      judge_balance("balance" + field, before, *now);
+    }
+    if (comparable_) judge_time(case_before, before, case_now, *now);
+  }
+
+  void judge_counter(const std::string& what, const MeasuredRow& before, const MeasuredRow& now) {
+    const auto a = before.number(what), b = now.number(what);
+    if (!a) return;
+    const double tolerance = is_adaptive_(before.integrator)
+                                 ? std::max(limits_.adaptive_counters * *a, limits_.adaptive_counts)
+                                 : 0;
+    const Verdict verdict = !b || *b > *a + tolerance ? Verdict::regressed
+                            : *b < *a - tolerance     ? Verdict::better
+                                                      : Verdict::passed;
+    add(what, shown(a), shown(b), verdict);
+  }
+
+  void judge_error(const std::string& what, const std::string& bar, const MeasuredRow& before,
+                   const MeasuredRow& now) {
+    const auto a = before.number(what), b = now.number(what);
+    if (!a) return;
+    // What the reference itself may be wrong by says nothing about the method.
+    const double slack = std::max(before.number(bar).value_or(0), now.number(bar).value_or(0));
+    const bool worse = !b || !(*b <= *a * (1 + limits_.errors) + slack);
+    const bool better = b && *a > *b * (1 + limits_.errors) + slack;
+    add(what, shown(a), shown(b), worse ? Verdict::regressed : better ? Verdict::better : Verdict::passed);
+  }
+
+  void judge_balance(const std::string& what, const MeasuredRow& before, const MeasuredRow& now) {
+    const auto a = before.number(what), b = now.number(what);
+    if (!a) return;
+    const bool worse = !b || !(std::abs(*b) <= std::abs(*a) * (1 + limits_.errors) + limits_.balance);
+    add(what, shown(a), shown(b), worse ? Verdict::regressed : Verdict::passed);
+  }
+
+  void judge_time(const MeasuredCase& case_before, const MeasuredRow& before, const MeasuredCase& case_now,
+                  const MeasuredRow& now) {
+    const std::string what = before.spec == case_before.baseline ? "CPU in yardsticks" : "CPU to baseline";
+    const auto a = relative_timings(case_before, before), b = relative_timings(case_now, now);
+    const std::size_t rounds = std::min(a.rounds(), b.rounds());
+    if (rounds < limits_.rounds)
+      return add(what, fmt::format("{} rounds", a.rounds()), fmt::format("{} rounds", b.rounds()),
+                 Verdict::not_judged);
+    double shortest = median(a.work);
+    for (const auto* times : {&a.yardstick, &b.work, &b.yardstick})
+      shortest = std::min(shortest, median(*times));
+    if (shortest < limits_.shortest)
+      return add(what, "", fmt::format("{:.2g} s is too short to judge", shortest), Verdict::not_judged);
+    for (const auto* timings : {&a, &b})
+      if (const auto itself = against_itself(*timings);
+          itself.above(limits_.slower) || itself.below(1 / limits_.slower))
+        return add(what, timings == &a ? "A/A " + text_of(itself) : "",
+                   timings == &b ? "A/A " + text_of(itself) : "", Verdict::inconclusive);
+    const auto ratio = slowdown(b, a);
+    const bool sure = ratio.below(limits_.unsure) && ratio.estimate <= limits_.slower;
+    const Verdict verdict = ratio.above(limits_.slower)       ? Verdict::regressed
+                            : !sure                           ? Verdict::inconclusive
+                            : ratio.below(1 / limits_.slower) ? Verdict::better
+                                                              : Verdict::passed;
+    add(what, "x 1", text_of(ratio), verdict);
+  }
+
+  static std::string shown(const std::optional<double>& value) {
+    return value ? fmt::format("{:.6g}", *value) : "not measured";
+  }
+
+  void add(std::string what, std::string before, std::string now, Verdict verdict) {
+    if (verdict == Verdict::passed)
+      ++report_.passed;
+    else
+      report_.findings.push_back({case_, spec_, std::move(what), std::move(before), std::move(now), verdict});
+  }
+
+  void conclude() {
+    const auto any = [&](Verdict verdict) {
+      return std::any_of(report_.findings.begin(), report_.findings.end(),
+                         [&](const auto& finding) { return finding.verdict == verdict; });
+    };
+    report_.verdict = any(Verdict::regressed)                             ? Verdict::regressed
+                      : any(Verdict::inconclusive) || report_.passed == 0 ? Verdict::inconclusive
+                                                                          : Verdict::passed;
+    if (any(Verdict::better))
+      report_.notes.emplace_back("Something got better: renew the baseline, so that it stays so.");
+    std::stable_sort(report_.findings.begin(), report_.findings.end(),
+                     [](const auto& a, const auto& b) { return a.verdict > b.verdict; });
+  }
+
+  const ResultsFile &now_, &baseline_;
+  const std::function<bool(const std::string&)>& is_adaptive_;
+  const GateLimits& limits_;
+  bool comparable_ = false;
+  std::string case_, spec_;
+  GateReport report_;
+};
+
+}  // namespace
+
+GateReport judge(const ResultsFile& now, const ResultsFile& baseline,
+                 const std::function<bool(const std::string&)>& is_adaptive, const GateLimits& limits) {
+  return Judge(now, baseline, is_adaptive, limits).run();
+}
+
+}  // namespace superstep

@@ -1,0 +1,53 @@
+#pragma once
+/// The performance gate: is this build as good as the recorded one?
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/gate/results_file.hpp"
+
+namespace superstep {
+
+/// What is tolerated. A method with fixed steps does exactly the same work on every machine; one that
+/// controls its steps decides by comparing numbers whose last digits differ between instruction sets.
+struct GateLimits {
+  double adaptive_counters = 0.02;  ///< more work of an adaptive method, relative
+  double adaptive_counts = 2;       ///< and so many more are never worth a word
+  double errors = 0.05;             ///< larger error, relative, beyond the reference's own error bar
+  double balance = 1e-6;            ///< heat balance [-] that is never worth a word
+  double slower = 1.05;             ///< clearly slower: the whole interval lies above this
+  double unsure = 1.10;     ///< clearly not slower: the interval lies below this, its estimate below `slower`
+  std::size_t rounds = 6;   ///< timings of fewer rounds are not judged
+  double shortest = 0.005;  ///< s, shorter timings are not judged
+};
+
+enum class Verdict { passed, better, not_judged, inconclusive, regressed };
+
+/// One thing that was looked at.
+struct GateFinding {
+  std::string case_name, spec, what;
+  std::string before, now;
+  Verdict verdict = Verdict::passed;
+};
+
+struct GateReport {
+  Verdict verdict = Verdict::passed;  ///< passed, inconclusive or regressed
+  std::string results, baseline;      ///< files
+  std::vector<GateFinding> findings;  ///< all that did not simply pass
+  std::size_t passed = 0;             ///< how many did
+  std::vector<std::string> notes;
+};
+
+/// Judges `now` against `baseline`: statuses, counters, errors, and CPU times where both come from the same
+/// kind of processor, build flags and number of threads. First each set of timings is compared with itself.
+///   is_adaptive  of an integrator's name
+[[nodiscard]] GateReport judge(const ResultsFile& now, const ResultsFile& baseline,
+                               const std::function<bool(const std::string&)>& is_adaptive,
+                               const GateLimits& limits = {});
+
+[[nodiscard]] const char* verdict_name(Verdict verdict) noexcept;
+[[nodiscard]] std::string gate_markdown(const GateReport& report);
+[[nodiscard]] std::string gate_json(const GateReport& report);
+
+}  // namespace superstep

@@ -1,0 +1,46 @@
+#pragma once
+/// results.json of `superstep bench`, read back.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/gate/bootstrap.hpp"
+
+namespace superstep {
+
+/// One method on one case.
+struct MeasuredRow {
+  std::string integrator, spec, status;
+  std::map<std::string, double> numbers;  ///< the columns of results.csv that hold a number
+  std::vector<double> cpu_stepping;       ///< s, one per round
+  std::vector<double> yardstick;          ///< s, one per round: see bench/harness/yardstick.hpp
+
+  /// A column's number; empty when it was not measured.
+  [[nodiscard]] std::optional<double> number(const std::string& column) const;
+};
+
+struct MeasuredCase {
+  std::string name, baseline;  ///< baseline: SPEC of the method that the others are compared with
+  std::vector<MeasuredRow> rows;
+
+  [[nodiscard]] const MeasuredRow* find(const std::string& spec) const;
+};
+
+struct ResultsFile {
+  std::string path, revision, processor, flags;
+  int threads = 1;
+  std::vector<MeasuredCase> cases;
+
+  [[nodiscard]] const MeasuredCase* find(const std::string& name) const;
+};
+
+/// Reads a file, or results.json in a folder. Throws InputError.
+[[nodiscard]] ResultsFile read_results(const std::string& path);
+
+/// The method's CPU time of stepping in units of the case's baseline method, round by round; the baseline
+/// method itself in units of the yardstick. Empty when it was not timed.
+[[nodiscard]] PairedTimings relative_timings(const MeasuredCase& one, const MeasuredRow& row);
+
+}  // namespace superstep

@@ -1,0 +1,109 @@
+#include "reports/html/report_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "reports/html/read_runs.hpp"
+#include "results/observations_csv.hpp"
+#include "results/read_results.hpp"
+#include "results/read_work_precision.hpp"
+
+namespace superstep {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+std::optional<Json> read_json(const std::string& path, const std::string& schema) {
+  if (!exists(path)) return std::nullopt;
+  Json json = Json::parse(read_text_file(path), nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || json.value("schema", "") != schema)
+    throw InputError(
+        fmt::format("{}: it is not a file of schema '{}'; write it anew or remove it", path, schema));
+  return json;
+}
+
+void read_benchmark(ReportInput& input) {
+  const std::string path = input.folder + "/results.json";
+  if (!exists(path)) return;
+  input.bench = read_results_json(path);
+  auto observations = read_observations(input.folder);
+  const auto health = read_json(input.folder + "/health.json", "superstep.health");
+  for (auto& one : input.bench->cases) {
+    CaseInput out{.bench = std::move(one), .health = {}, .work_precision = {}};
+    out.bench.observations = std::move(observations[out.bench.name]);
+    if (health && health->contains("cases"))
+      for (const auto& candidate : health->at("cases"))
+        if (candidate.value("case", "") == out.bench.name) out.health = candidate;
+    input.cases.push_back(std::move(out));
+  }
+  input.bench->cases.clear();
+}
+
+// A sweep over several cases has a folder for each.
+std::vector<std::string> study_files(const std::string& folder) {
+  std::vector<std::string> files;
+  if (exists(folder + "/work_precision.csv")) files.push_back(folder + "/work_precision.csv");
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (const std::string file = entry.path().string() + "/work_precision.csv"; exists(file))
+      files.push_back(file);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void read_studies(ReportInput& input) {
+  for (const auto& file : study_files(input.folder)) {
+    WorkPrecision study = read_work_precision_csv(file);
+    const auto of_case = std::find_if(input.cases.begin(), input.cases.end(), [&](const CaseInput& one) {
+      return one.bench.name == study.case_name;
+    });
+    if (of_case == input.cases.end()) {
+      input.other_studies.push_back(std::move(study));
+      continue;
+    }
+    study.title = of_case->bench.title;
+    study.unit = of_case->bench.unit;
+    of_case->work_precision = std::move(study);
+  }
+}
+
+void read_stability(ReportInput& input) {
+  StabilityInput out;
+  out.summary = read_json(input.folder + "/stability.json", "superstep.stability");
+  for (const char* name : {"methods", "critical_step", "rounding", "sweeps"})
+    if (const std::string file = fmt::format("{}/stability_{}.csv", input.folder, name); exists(file))
+      out.tables.emplace(name, std::make_unique<CsvTable>(file));
+  if (out.summary || !out.tables.empty()) input.stability = std::move(out);
+}
+
+}  // namespace
+
+ReportInput read_report_input(const std::string& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw InputError(
+        fmt::format("{}: it is not a folder; give the one that superstep bench or run wrote", folder));
+  ReportInput input;
+  input.folder = folder;
+  read_benchmark(input);
+  read_studies(input);
+  read_stability(input);
+  input.runs = read_runs(folder);
+  if (!input.bench && input.runs.empty() && input.other_studies.empty() && !input.stability)
+    throw InputError(fmt::format(
+        "{}: there is neither results.json nor run.json; write one with superstep bench CASE --out {}",
+        folder, folder));
+  return input;
+}
+
+}  // namespace superstep

@@ -1,0 +1,153 @@
+#include "reports/text/markdown_summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "results/text/html_text.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr double error_change = 0.01;  // relative; smaller ones are of no concern
+
+/// Text that Markdown takes literally, in one line.
+std::string markdown_text(const std::string& text) {
+  std::string out;
+  for (const char c : html_text(text)) {
+    if (std::string_view("|*_`[]\\#").find(c) != std::string_view::npos) out += '\\';
+    out += c == '\n' || c == '\t' ? ' ' : c;
+  }
+  return out;
+}
+
+const BenchRow* same_run(const BenchReport& report, const BenchRow& row) {
+  for (const auto& one : report.cases)
+    for (const auto& other : one.rows)
+      if (other.case_name == row.case_name && other.spec == row.spec) return &other;
+  return nullptr;
+}
+
+/// What became of one run.
+struct Change {
+  const BenchRow* row;
+  enum class Kind { worse, better, other } kind = Kind::other;
+  std::vector<std::string> what;
+};
+
+void compare_counts(Change& change, const char* name, const std::optional<std::uint64_t>& now,
+                    const std::optional<std::uint64_t>& before) {
+  if (now && before && *now != *before) change.what.push_back(fmt::format("{} {} → {}", name, *before, *now));
+}
+
+void compare_times(Change& change, const Timing& now, const Timing& before) {
+  const bool slower = now.min > before.max, faster = now.max < before.min;
+  if (!slower && !faster) return;
+  change.what.push_back(fmt::format("CPU {} → {} s ({}×)", number_text(before.median),
+                                    number_text(now.median), number_text(now.median / before.median)));
+  change.kind = slower ? Change::Kind::worse : Change::Kind::better;
+}
+
+Change compare(const BenchRow& now, const BenchRow& before) {
+  Change change{.row = &now, .what = {}};
+  if (now.cpu_stepping && before.cpu_stepping) compare_times(change, *now.cpu_stepping, *before.cpu_stepping);
+  compare_counts(change, "steps", now.steps, before.steps);
+  compare_counts(change, "sweeps", now.rhs, before.rhs);
+  if (now.errors.rms && before.errors.rms &&
+      std::abs(*now.errors.rms - *before.errors.rms) > error_change * *before.errors.rms)
+    change.what.push_back(
+        fmt::format("rms error {} → {}", number_text(*before.errors.rms), number_text(*now.errors.rms)));
+  if (now.status != before.status) {
+    change.what.push_back(fmt::format("{} → {}", before.status, now.status));
+    change.kind = now.ok() ? Change::Kind::better : Change::Kind::worse;
+  }
+  return change;
+}
+
+std::vector<Change> changes_of(const BenchReport& report, const BenchReport& before) {
+  std::vector<Change> changes;
+  for (const auto& one : report.cases)
+    for (const auto& row : one.rows) {
+      const BenchRow* old = same_run(before, row);
+      Change change = old ? compare(row, *old) : Change{.row = &row, .what = {"new"}};
+      if (!change.what.empty()) changes.push_back(std::move(change));
+    }
+  for (const auto& one : before.cases)
+    for (const auto& row : one.rows)
+      if (!same_run(report, row)) changes.push_back({&row, Change::Kind::other, {"gone"}});
+  return changes;
+}
+
+std::string changes_markdown(const BenchReport& report, const BenchReport& before) {
+  const auto changes = changes_of(report, before);
+  const auto count = [&](Change::Kind kind) {
+    return std::count_if(changes.begin(), changes.end(),
+                         [&](const Change& change) { return change.kind == kind; });
+  };
+  const auto worse = count(Change::Kind::worse), better = count(Change::Kind::better);
+  if (changes.empty()) return "**Unchanged.** No run differs from the benchmark before.\n";
+  std::string out = fmt::format(
+      "**{}** {} worse, {} better, {} otherwise changed.\n\n| case | run | what changed |\n|---|---|---|\n",
+      worse > 0    ? "Worse."
+      : better > 0 ? "Better."
+                   : "Changed.",
+      worse, better, count(Change::Kind::other));
+  for (const auto& change : changes)
+    out += fmt::format("| {} | {} | {} |\n", markdown_text(change.row->case_name),
+                       markdown_text(change.row->spec),
+                       markdown_text(fmt::format("{}", fmt::join(change.what, "; "))));
+  return out;
+}
+
+const BenchRow* fastest(const BenchCase& one) {
+  const BenchRow* best = nullptr;
+  for (const auto& row : one.rows)
+    if (row.ok() && row.cpu_total && (!best || row.cpu_total->median < best->cpu_total->median)) best = &row;
+  return best;
+}
+
+std::string case_markdown(const BenchCase& one) {
+  const auto ok = std::count_if(one.rows.begin(), one.rows.end(), [](const auto& row) { return row.ok(); });
+  std::string out =
+      fmt::format("- {}: {} of {} runs succeeded", markdown_text(one.name), ok, one.rows.size());
+  if (const auto* best = fastest(one)) {
+    out += fmt::format("; fastest {} with {} s CPU", markdown_text(best->spec),
+                       number_text(best->cpu_total->median));
+    if (best->speedup_total) out += fmt::format(", {}× the baseline", number_text(*best->speedup_total));
+    if (best->errors.relative_rms)
+      out += fmt::format(", error {} of the span", number_text(*best->errors.relative_rms));
+  }
+  out += "\n";
+  for (const auto& row : one.rows)
+    if (!row.ok())
+      out += fmt::format("  - {}: {}: {}\n", markdown_text(row.spec), markdown_text(row.status),
+                         markdown_text(row.reason));
+  return out;
+}
+
+std::string verdict(const BenchReport& report) {
+  std::size_t failed = 0, all = 0;
+  for (const auto& one : report.cases)
+    for (const auto& row : one.rows) {
+      ++all;
+      failed += row.ok() ? 0 : 1;
+    }
+  if (report.interrupted) return "**Interrupted.** What had been measured by then:\n\n";
+  if (all == 0) return "**Nothing was measured.**\n";
+  return failed == 0 ? fmt::format("**All {} runs succeeded.**\n\n", all)
+                     : fmt::format("**{} of {} runs failed.**\n\n", failed, all);
+}
+
+}  // namespace
+
+std::string markdown_summary(const BenchReport& report, const BenchReport* before) {
+  if (before) return changes_markdown(report, *before);
+  std::string out = verdict(report);
+  for (const auto& one : report.cases) out += case_markdown(one);
+  return out;
+}
+
+}  // namespace superstep

@@ -1,0 +1,216 @@
+/// Case files with two fields and with the terms that users ask for: what they build, and what they refuse.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/checks/effective.hpp"
+#include "case/scene.hpp"
+#include "core/error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+using test::message_of;
+using test::TemporaryFolder;
+
+const std::string cases = std::string(SUPERSTEP_SOURCE_DIR) + "/cases/";
+
+/// A row of six touching spheres along z, and two far away that touch each other.
+class ThermoelectricCase : public ::testing::Test {
+ protected:
+  ThermoelectricCase() {
+    std::string rows = "id,x,y,z,radius\n";
+    for (int k = 0; k < 6; ++k) rows += std::to_string(k) + ",0,0," + std::to_string(0.95 * k) + ",0.5\n";
+    rows += "6,5,0,1,0.5\n7,5,0,1.95,0.5\n";
+    folder_.write("row.csv", rows);
+  }
+
+  static std::string with(const std::string& electric, const std::string& thermal,
+                          const std::string& more = "") {
+    return "t_end = 1.0\n" + more +
+           "[packing]\nfile = \"row.csv\"\nlength_unit = \"mm\"\n[material]\ndensity = 5000.0\n"
+           "[contact]\nneck = \"coble\"\n" +
+           (electric.empty() ? "" : "[electric]\n" + electric) +
+           (thermal.empty() ? "" : "[thermal]\n" + thermal);
+  }
+  Scene load(const std::string& text) { return load_scene(folder_.write("case.toml", text)); }
+  std::string refusal(const std::string& text) {
+    const auto path = folder_.write("case.toml", text);
+    return message_of<InputError>([&] { (void)load_scene(path); });
+  }
+
+  TemporaryFolder folder_;
+};
+
+const std::string electrodes =
+    "fixed = [ { where = { ids = [5] }, value = 1.0 }, { where = { ids = [0] }, value = 0.0 } ]\n";
+const std::string steady = "mode = \"steady\"\nconductivity = 1e5\n" + electrodes;
+const std::string transient = "conductivity = 1e5\nspecific_capacity = 1e3\n" + electrodes;
+const std::string heat = "conductivity = 50.0\nspecific_heat = 500.0\n";
+
+TEST_F(ThermoelectricCase, StateIsThePotentialThenTheTemperature) {
+  const Scene scene = load(with(transient, heat));
+  ASSERT_EQ(scene.rhs->fields().size(), 2U);
+  EXPECT_EQ(scene.rhs->fields()[0].name, "potential");
+  EXPECT_EQ(scene.rhs->fields()[1].name, "temperature");
+  EXPECT_EQ(scene.rhs->fields()[0].count, 4U);  // two electrodes and an idle pair
+  EXPECT_EQ(scene.rhs->fields()[1].count, 6U);  // the pair apart carries no current and stays as it is
+  EXPECT_TRUE(scene.rhs->one_way() != nullptr);
+}
+
+TEST_F(ThermoelectricCase, SteadyPotentialIsSolvedOnceAndHeatsAtAConstantRate) {
+  const Scene scene = load(with(steady, heat));
+  ASSERT_EQ(scene.rhs->fields().size(), 1U);
+  EXPECT_TRUE(scene.rhs->traits().linear);
+  const auto potential = scene.values_on_nodes(0, 0.0, scene.initial);
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(potential[k], 0.2 * static_cast<double>(k), 1e-12);
+  // Five equal branches: V I = 1/(5 R).
+  const double conductance = scene.fields[0].graph.conductance[0];
+  EXPECT_NEAR(scene.rhs->inflow(0, scene.initial), conductance / 5, 1e-10 * conductance);
+  const auto facts = electrode_facts(scene.fields[0]);
+  ASSERT_TRUE(facts);
+  EXPECT_NEAR(facts->resistance, 5 / conductance, 1e-10 / conductance);
+  EXPECT_NEAR(facts->current_in, facts->current_out, 1e-10 * facts->current_in);
+  EXPECT_NEAR(facts->joule_heat, facts->voltage * facts->current_in, 1e-10 * facts->joule_heat);
+}
+
+TEST_F(ThermoelectricCase, SteadyPotentialThatMovesFollowsTheState) {
+  const std::string rising =
+      "mode = \"steady\"\nfixed = [ { where = { ids = [5] }, value = { times = [0.0, 1.0], values = [0.0, "
+      "2.0] } }, "
+      "{ where = { ids = [0] }, value = 0.0 } ]\n"
+      "conductivity = { law = \"linear\", value = 1e5, coefficient = 0.5, reference = 0.0 }\n";
+  Scene scene = load(with(rising, heat));
+  ASSERT_NE(scene.moving_potential, nullptr);
+  auto state = scene.initial;
+  EXPECT_NEAR(scene.values_on_nodes(0, 0.5, state)[3], 0.6, 1e-12);
+  EXPECT_NEAR(scene.values_on_nodes(0, 1.0, state)[5], 2.0, 1e-12);
+  state[0] = 4.0;  // hot: its branches conduct better, and less voltage falls off there
+  const auto moved = scene.values_on_nodes(0, 1.0, state);
+  EXPECT_GT(std::abs(moved[3] - 1.2), 1e-3);
+}
+
+TEST_F(ThermoelectricCase, ASteadyPotentialAloneIsAnAnswerToo) {
+  const Scene scene = load(with(steady, ""));
+  EXPECT_EQ(scene.rhs->size(), 0U);
+  EXPECT_NEAR(scene.values_on_nodes(0, 1.0, {})[2], 0.4, 1e-12);
+}
+
+TEST_F(ThermoelectricCase, ConvectionAndRadiationTakeTheSphereSurface) {
+  const Scene scene =
+      load(with("", heat + "initial = 400.0\nconvection = [ { where = { ids = [2] }, coefficient "
+                           "= 10.0, ambient = 300.0 } ]\nradiation = [ { where = { ids = [3] }, "
+                           "emissivity = 0.5, ambient = 300.0 } ]\n"));
+  const double area = 4 * 3.14159265358979 * 0.25e-6;
+  const double expected =
+      -10 * area * 100 - 0.5 * 5.670374419e-8 * area * (std::pow(400, 4) - std::pow(300, 4));
+  EXPECT_NEAR(scene.rhs->inflow(0, scene.initial), expected, 1e-9 * std::abs(expected));
+  EXPECT_FALSE(scene.rhs->traits().linear);
+  const auto radiation_skipped = [](const Skip& skip) { return skip.what == "radiation"; };
+  EXPECT_EQ(std::count_if(scene.skips.begin(), scene.skips.end(), radiation_skipped), 0);
+}
+
+TEST_F(ThermoelectricCase, TwoEqualTimesAreAStep) {
+  const Scene scene =
+      load(with("", heat + "fixed = [ { where = { ids = [0] }, value = { times = [0.0, 0.5, 0.5], "
+                           "values = [1.0, 1.0, 3.0] } } ]\n"));
+  EXPECT_EQ(scene.values_on_nodes(0, 0.499, scene.initial)[0], 1);
+  EXPECT_EQ(scene.values_on_nodes(0, 0.5, scene.initial)[0], 3);
+  EXPECT_EQ(scene.fields[0].graph.tables[0].before(0.5), 1);
+}
+
+TEST_F(ThermoelectricCase, SaysWhatItSkips) {
+  const Scene scene = load(with("", heat + "fixed = [ { where = { ids = [0] }, value = 1.0 } ]\n"));
+  std::vector<std::string> whats;
+  for (const auto& skip : scene.skips) whats.push_back(skip.what);
+  for (const char* what : {"electric field", "convection", "radiation"})
+    EXPECT_EQ(std::count(whats.begin(), whats.end(), what), 1) << what;
+}
+
+struct Refusal {
+  std::string name, electric, thermal, expected;
+};
+
+class Refusals : public ThermoelectricCase, public ::testing::WithParamInterface<Refusal> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, Refusals,
+    ::testing::Values(
+        Refusal{"NoSharedCluster",
+                "mode = \"steady\"\nconductivity = 1.0\nfixed = [ { where = { ids = [0] }, value = 1.0 }, { "
+                "where = "
+                "{ ids = [6] }, value = 0.0 } ]\n",
+                heat, "share no cluster"},
+        Refusal{"NothingHeld", "mode = \"steady\"\nconductivity = 1.0\n", heat, "at least one fixed value"},
+        Refusal{"SourceOnAFloatingCluster", steady + "source = [ { where = { ids = [7] }, value = 1.0 } ]\n",
+                heat, "without a fixed potential"},
+        Refusal{
+            "Celsius", "",
+            heat + "initial = 20.0\nradiation = [ { where = \"all\", emissivity = 0.5, ambient = 293.0 } ]\n",
+            "looks like degrees Celsius"},
+        Refusal{
+            "BelowZero", "",
+            heat + "initial = 300.0\nradiation = [ { where = \"all\", emissivity = 0.5, ambient = -5.0 } ]\n",
+            ">= 0 K"},
+        Refusal{
+            "Emissivity", "",
+            heat +
+                "initial = 300.0\nradiation = [ { where = \"all\", emissivity = 1.5, ambient = 300.0 } ]\n",
+            "between 0 and 1"},
+        Refusal{"UnsortedTable", "",
+                "specific_heat = 500.0\nconductivity = { law = \"table\", temperatures = [1.0, 0.5], values "
+                "= [1.0, "
+                "2.0] }\n",
+                "ascending"},
+        Refusal{
+            "UnsortedTimes", "",
+            heat + "source = [ { where = \"all\", value = { times = [1.0, 0.5], values = [1.0, 2.0] } } ]\n",
+            "ascending, and 0.5 follows 1"},
+        Refusal{"ThreeEqualTimes", "",
+                heat + "source = [ { where = \"all\", value = { times = [1.0, 1.0, 1.0], values = [1.0, 2.0, "
+                       "3.0] } } ]\n",
+                "1 stands three times"},
+        Refusal{"NegativeConductivityInTable", "",
+                "specific_heat = 500.0\nconductivity = { law = \"table\", temperatures = [0.0, 1.0], values "
+                "= [1.0, "
+                "-2.0] }\n",
+                "must be > 0"},
+        Refusal{"UnknownLaw", "", "specific_heat = 500.0\nconductivity = { law = \"lineer\", value = 1.0 }\n",
+                "did you mean 'linear'"},
+        Refusal{"ZeroCapacity", "", "specific_heat = 0.0\nconductivity = 1.0\n", "specific_heat"},
+        Refusal{"CapacityMissing", "conductivity = 1.0\n" + electrodes, heat, "specific_capacity"},
+        Refusal{"LawWithoutTemperature",
+                "conductivity = { law = \"linear\", value = 1.0, coefficient = 0.1, reference = 0.0 "
+                "}\nspecific_capacity = 1.0\n" +
+                    electrodes,
+                "", "has no [thermal]"},
+        Refusal{"UnknownMode", "mode = \"stationary\"\nconductivity = 1.0\n", heat, "\"steady\""}),
+    [](const auto& refusal) { return refusal.param.name; });
+
+TEST_P(Refusals, NamePlaceAndReason) {
+  const auto message = refusal(with(GetParam().electric, GetParam().thermal));
+  EXPECT_NE(message.find(GetParam().expected), std::string::npos) << message;
+  EXPECT_NE(message.find("case.toml"), std::string::npos) << message;
+}
+
+TEST_F(ThermoelectricCase, CouplingNeedsTwoFields) {
+  EXPECT_NE(refusal(with("", heat, "coupling = { joule_heat = true }\n")).find("only with"),
+            std::string::npos);
+}
+
+TEST(ThermoelectricCases, ElectricFieldOfTheNialSampleIsThatOfThePaper) {
+  const Scene scene = load_scene(cases + "nial_thermoelectric_steady.toml");
+  const auto effective = effective_conductivity(scene, scene.fields[0]);
+  ASSERT_TRUE(effective.value);
+  EXPECT_NEAR(*effective.value / 4.518e5, 1, 0.05);  // published; the sample is another one
+  double capacity = 0;
+  for (const double c : scene.fields[1].graph.capacity) capacity += c;
+  // Section 9.2: the temperature ends rising at 0.169 K/s.
+  EXPECT_NEAR(scene.rhs->inflow(0, scene.initial) / capacity / 0.169, 1, 0.1);
+}
+
+}  // namespace
+}  // namespace superstep
