@@ -113,6 +113,7 @@ IntegratorEntry automatic_entry() {
   return {.name = "auto",
           .summary = "picks method and parameters from spectrum, linearity, size and tolerance, and says why",
           .source = "cost models measured on packings, integrators/automatic.cpp",
+          .colour = "#9a9a2e",
           .order = 0,
           .adaptive = true,
           .keys = {{.name = "rtol",

@@ -111,6 +111,7 @@ IntegratorEntry esdirk_entry() {
       .summary =
           "L-stable diagonally implicit Runge-Kutta method of order four, also for stiff nonlinear scenes",
       .source = "Kennedy & Carpenter (2003), doi:10.1016/S0168-9274(02)00138-1",
+      .colour = "#5b8c5a",
       .order = 4,
       .adaptive = true,
       .keys = {tolerance_key("1e-4"),

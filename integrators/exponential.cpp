@@ -81,6 +81,7 @@ IntegratorEntry exponential_entry() {
           "linear in time",
       .source =
           "Tal-Ezer (1986), doi:10.1137/0723001; Hochbruck & Lubich (1997), doi:10.1137/S0036142995280572",
+      .colour = "#3fb8f0",
       .order = 0,
       .adaptive = true,
       .keys = exponential_keys(),

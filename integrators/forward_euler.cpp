@@ -64,10 +64,12 @@ IntegratorEntry forward_euler_entry() {
   return {.name = "forward-euler",
           .summary = "explicit Euler steps, the last one shortened to hit the output time",
           .source = "Rojek & Nisar 2026, eqs 13, 20-21, 27",
+          .colour = "#7f7f7f",
           .order = 1,
           .adaptive = false,
           .keys = critical_step_keys(),
           .examples = {"forward-euler:fraction=0.5", "forward-euler:fraction=0.95,bound=lanczos"},
+          .representatives = {"forward-euler:fraction=1,bound=lanczos"},
           .ladder = {"forward-euler:alpha=1", "forward-euler:fraction=1,bound=lanczos",
                      "forward-euler:fraction=1", "forward-euler:fraction=0.25"},
           .make = [](const Options& options) { return std::make_unique<ForwardEuler>(options); }};

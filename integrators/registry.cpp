@@ -1,7 +1,7 @@
 #include "integrators/registry.hpp"
 
 #include "core/error.hpp"
-#include "core/suggest.hpp"
+#include "core/text/suggest.hpp"
 
 // One line per method: its file in this folder defines `IntegratorEntry <name>_entry()`.
 #define SUPERSTEP_INTEGRATORS(method)                                                                    \
@@ -19,6 +19,16 @@ std::span<const IntegratorEntry> integrators() {
   static const std::vector<IntegratorEntry> table = {SUPERSTEP_INTEGRATORS(SUPERSTEP_ENTRY)};
 #undef SUPERSTEP_ENTRY
   return table;
+}
+
+std::vector<std::string> representatives() {
+  constexpr const char* usual_tolerance = ":rtol=1e-3";
+  std::vector<std::string> specs;
+  for (const auto& entry : integrators()) {
+    specs.insert(specs.end(), entry.representatives.begin(), entry.representatives.end());
+    if (entry.representatives.empty()) specs.push_back(entry.name + (entry.adaptive ? usual_tolerance : ""));
+  }
+  return specs;
 }
 
 const IntegratorEntry& find_integrator(const std::string& name) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 #include "integrators/driver.hpp"
 
 namespace superstep {
@@ -19,11 +19,15 @@ struct IntegratorEntry {
   std::string name;
   std::string summary;    ///< one line
   std::string source;     ///< paper, equation, DOI
+  std::string colour;     ///< "#rrggbb" in charts; empty = a spare one
   int order = 1;          ///< classical order in time; 0 = exact up to the requested tolerance
   bool adaptive = false;  ///< takes rtol and controls its own step by default
   std::vector<OptionKey> keys;
   /// Specs that the conformance suite runs besides the bare name.
   std::vector<std::string> examples;
+  /// SPECs that stand for the method in a benchmark that names none; empty = one at a tolerance of 1e-3, or
+  /// the name.
+  std::vector<std::string> representatives = {};
   /// SPECs of the work-precision sweep, from loose to tight; a point that is known to be unstable may stand
   /// there.
   std::vector<std::string> ladder;
@@ -35,6 +39,9 @@ struct IntegratorEntry {
                                                    int stride = 1);
 /// Several ladders one after the other.
 [[nodiscard]] std::vector<std::string> joined(std::initializer_list<std::vector<std::string>> ladders);
+
+/// SPECs of a benchmark over every family.
+[[nodiscard]] std::vector<std::string> representatives();
 
 /// Every integrator, in the order of `superstep list`.
 [[nodiscard]] std::span<const IntegratorEntry> integrators();

@@ -9,6 +9,7 @@ IntegratorEntry rkc_entry() {
   return {.name = "rkc",
           .summary = "Runge-Kutta-Chebyshev, damped Chebyshev polynomials",
           .source = "Sommeijer, Shampine & Verwer (1998), doi:10.1016/S0377-0427(97)00219-7",
+          .colour = "#e69f00",
           .order = 2,
           .adaptive = true,
           .keys = stabilised_keys(rkc2_family(), true),

@@ -9,6 +9,7 @@ IntegratorEntry rkg_entry() {
   return {.name = "rkg",
           .summary = "Runge-Kutta-Gegenbauer, strongly damped",
           .source = "Skaras, Saxton, Meyer & Aslam (2021), doi:10.1016/j.jcp.2020.109879",
+          .colour = "#cc79a7",
           .order = 2,
           .adaptive = true,
           .keys = stabilised_keys(rkg2_family(), false),

@@ -9,6 +9,7 @@ IntegratorEntry rkl_entry() {
   return {.name = "rkl",
           .summary = "Runge-Kutta-Legendre, monotone without a damping parameter",
           .source = "Meyer, Balsara & Aslam (2014), doi:10.1016/j.jcp.2013.08.021",
+          .colour = "#009e73",
           .order = 2,
           .adaptive = true,
           .keys = stabilised_keys(rkl2_family(), true),

@@ -9,6 +9,7 @@ IntegratorEntry rock_entry() {
   return {.name = "rock",
           .summary = "orthogonal Runge-Kutta-Chebyshev of order four (ROCK4), also for nonlinear scenes",
           .source = "Abdulle (2002), doi:10.1137/S1064827500379549",
+          .colour = "#b07d4f",
           .order = 4,
           .adaptive = true,
           .keys = stabilised_keys(rock4_family(), false),

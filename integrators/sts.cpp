@@ -14,9 +14,9 @@
 #include "core/error.hpp"
 #include "core/state_vector.hpp"
 #include "integrators/detail/explicit/critical_step.hpp"
-#include "integrators/detail/explicit/super_step.hpp"
 #include "integrators/detail/explicit/superstep_engine.hpp"
 #include "integrators/registry.hpp"
+#include "integrators/schemes/super_step.hpp"
 #include "rhs/one_way.hpp"
 
 namespace superstep {
@@ -190,11 +190,13 @@ IntegratorEntry sts_entry() {
   return {.name = "sts",
           .summary = "super-time-stepping: n substeps, stable as a whole",
           .source = "Alexiades, Amiez & Gremaud (1996); Rojek & Nisar 2026, eqs 22-26",
+          .colour = "#0f7dc2",
           .order = 1,
           .adaptive = false,
           .keys = sts_keys(),
           .examples = {"sts:n=5,nu=1e-2,order=recurrence", "sts:n=5,nu=0.05,order=natural",
                        "sts:n=20,nu=1e-3", "sts:n=auto,rtol=1e-2"},
+          .representatives = {"sts:n=10,nu=1e-3", "sts:n=20,nu=1e-4", "sts:n=25,nu=1e-5"},
           .ladder = {"sts:n=10,nu=0.05,alpha=1", "sts:n=5,nu=1e-2", "sts:n=10,nu=1e-2", "sts:n=20,nu=1e-3",
                      "sts:n=40,nu=1e-3", "sts:n=auto,rtol=1e-2", "sts:n=auto,rtol=1e-3"},
           .make = [](const Options& options) { return std::make_unique<SuperTimeStepping>(options); }};

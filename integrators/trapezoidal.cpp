@@ -81,6 +81,7 @@ IntegratorEntry trapezoidal_entry() {
   return {.name = "trapezoidal",
           .summary = "implicit phi rule by fixed-point iteration, KLU, CHOLMOD or conjugate gradients",
           .source = "Zohdi (2014), eqs 22-30, 36, Algorithm 1",
+          .colour = "#d55e00",
           .order = 2,
           .adaptive = true,
           .keys = trapezoidal_keys(),

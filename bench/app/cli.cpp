@@ -8,8 +8,8 @@
 #include "bench/app/cli_arguments.hpp"
 #include "bench/app/cli_values.hpp"
 #include "core/error.hpp"
-#include "core/suggest.hpp"
-#include "core/text_file.hpp"
+#include "core/text/suggest.hpp"
+#include "core/text/text_file.hpp"
 
 namespace superstep {
 namespace {

@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "bench/output/machine.hpp"
+#include "bench/host/machine.hpp"
 #include "core/error.hpp"
-#include "core/suggest.hpp"
-#include "core/text_file.hpp"
+#include "core/text/suggest.hpp"
+#include "core/text/text_file.hpp"
 
 namespace superstep {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/number.hpp"
-#include "core/options.hpp"
-#include "core/suggest.hpp"
-#include "core/text_file.hpp"
+#include "core/text/number.hpp"
+#include "core/text/options.hpp"
+#include "core/text/suggest.hpp"
+#include "core/text/text_file.hpp"
 #include "packing/read.hpp"
 
 namespace superstep {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bench/console/terminal.hpp"
+#include "bench/host/terminal.hpp"
 #include "packing/generate.hpp"
 
 namespace superstep {

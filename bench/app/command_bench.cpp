@@ -6,11 +6,11 @@
 
 #include "bench/app/commands.hpp"
 #include "bench/app/loaded_case.hpp"
-#include "bench/console/interrupt.hpp"
-#include "bench/output/machine.hpp"
-#include "bench/output/observation_files.hpp"
+#include "bench/app/observation_files.hpp"
+#include "bench/app/report_file.hpp"
+#include "bench/host/interrupt.hpp"
+#include "bench/host/machine.hpp"
 #include "bench/output/output_folder.hpp"
-#include "bench/output/report_file.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "integrators/press/sintering_case.hpp"
@@ -27,7 +27,7 @@ std::vector<LoadedCase> load_all(const BenchCommand& command) {
   const auto& reference = command.harness.reference;
   if (!reference.empty() && reference != "none") check_specs({reference});
   std::vector<LoadedCase> cases;
-  for (const auto& file : command.case_files) cases.push_back(load_case(file));
+  for (const auto& file : command.case_files) cases.push_back(load_bench_case(file));
   return cases;
 }
 

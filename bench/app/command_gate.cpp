@@ -24,9 +24,9 @@ int execute(const GateCommand& command) {
   const auto report = judge(read_results(command.results), read_results(command.baseline), is_adaptive);
   print_data(command.common.json ? gate_json(report) : gate_markdown(report));
   switch (report.verdict) {
-    case Verdict::regressed:
+    case GateVerdict::regressed:
       return static_cast<int>(ExitCode::regressed);
-    case Verdict::inconclusive:
+    case GateVerdict::inconclusive:
       return static_cast<int>(ExitCode::inconclusive);
     default:
       return static_cast<int>(ExitCode::ok);

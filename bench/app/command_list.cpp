@@ -9,7 +9,7 @@
 #include "bench/app/commands.hpp"
 #include "contact/neck.hpp"
 #include "core/error.hpp"
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 #include "integrators/registry.hpp"
 #include "results/text/text_table.hpp"
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/app/commands.hpp"
-#include "bench/console/interrupt.hpp"
-#include "bench/console/progress.hpp"
+#include "bench/host/interrupt.hpp"
+#include "bench/host/progress.hpp"
 #include "bench/output/output_folder.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "bench/app/commands.hpp"
-#include "bench/output/report_file.hpp"
+#include "bench/app/report_file.hpp"
 #include "core/error.hpp"
 #include "reports/text/markdown_summary.hpp"
 #include "results/read_results.hpp"

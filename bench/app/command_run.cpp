@@ -8,15 +8,15 @@
 
 #include "bench/app/commands.hpp"
 #include "bench/app/loaded_case.hpp"
-#include "bench/app/spec_settings.hpp"
-#include "bench/console/interrupt.hpp"
 #include "bench/harness/run_check.hpp"
-#include "bench/harness/run_one.hpp"
+#include "bench/host/interrupt.hpp"
+#include "bench/measure/run_one.hpp"
 #include "bench/output/output_folder.hpp"
 #include "bench/output/run_files.hpp"
 #include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
 #include "integrators/press/sintering_case.hpp"
+#include "integrators/spec_settings.hpp"
 
 namespace superstep {
 namespace {

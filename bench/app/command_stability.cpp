@@ -1,7 +1,7 @@
 /// superstep stability: where each method is safe on a case, by theory and by measurement.
 
 #include "bench/app/commands.hpp"
-#include "bench/console/progress.hpp"
+#include "bench/host/progress.hpp"
 #include "bench/lab/lab.hpp"
 #include "bench/output/output_folder.hpp"
 #include "core/atomic_file.hpp"

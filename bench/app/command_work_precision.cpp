@@ -4,10 +4,10 @@
 
 #include "bench/app/commands.hpp"
 #include "bench/app/loaded_case.hpp"
-#include "bench/console/interrupt.hpp"
+#include "bench/app/report_file.hpp"
 #include "bench/harness/work_precision.hpp"
+#include "bench/host/interrupt.hpp"
 #include "bench/output/output_folder.hpp"
-#include "bench/output/report_file.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 
@@ -25,7 +25,7 @@ int execute(const WorkPrecisionCommand& command) {
   check_specs(command.options.integrators);
   if (!command.options.reference.empty()) check_specs({command.options.reference});
   std::vector<LoadedCase> cases;
-  for (const auto& file : command.case_files) cases.push_back(load_case(file));
+  for (const auto& file : command.case_files) cases.push_back(load_bench_case(file));
   for (const auto& one : cases) require_writable_folder(folder_of(command, one.scene));
   Progress progress(!command.common.quiet && stderr_is_terminal());
   WorkPrecisionOptions options = command.options;

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "bench/console/terminal.hpp"
 #include "bench/harness/harness.hpp"
 #include "bench/harness/work_precision.hpp"
+#include "bench/host/terminal.hpp"
 #include "packing/generate.hpp"
 
 namespace superstep {

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
-#include "core/suggest.hpp"
-#include "core/text_file.hpp"
+#include "core/text/suggest.hpp"
+#include "core/text/text_file.hpp"
 
 namespace superstep {
 namespace {

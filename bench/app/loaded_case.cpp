@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "case/checks/warnings.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "integrators/registry.hpp"
@@ -19,6 +20,16 @@ LoadedCase load_case(const std::string& file) {
     throw InputError(fmt::format("{}: [bench]: {}", file, error.what()));
   }
   return {std::move(scene), cpu_setup};
+}
+
+LoadedCase load_bench_case(const std::string& file) {
+  LoadedCase one = load_case(file);
+  Scene& scene = one.scene;
+  if (const std::string finding = implausible_sizes(scene); !finding.empty())
+    throw InputError(finding +
+                     "; a benchmark of it would not end: mend length_unit, or run one method with `run`");
+  if (!scene.own_output_times) scene.output_times = {0.02 * scene.t_end, 0.1 * scene.t_end, scene.t_end};
+  return one;
 }
 
 void check_specs(const std::vector<std::string>& specs) {

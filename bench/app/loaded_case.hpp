@@ -16,6 +16,11 @@ struct LoadedCase {
 /// Loads the scene and checks the SPECs of its [bench] table. Throws InputError.
 [[nodiscard]] LoadedCase load_case(const std::string& file);
 
+/// The same for a benchmark: without output times of its own a case is judged at 2, 10 and 100 % of the run,
+/// because at a steady end any damped method looks exact. Throws InputError, also for sizes that must be a
+/// slip in a unit: such a benchmark would not end.
+[[nodiscard]] LoadedCase load_bench_case(const std::string& file);
+
 /// Checks SPECs of the command line. Throws UsageError.
 void check_specs(const std::vector<std::string>& specs);
 

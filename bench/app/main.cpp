@@ -8,8 +8,8 @@
 
 #include "bench/app/cli.hpp"
 #include "bench/app/commands.hpp"
-#include "bench/console/terminal.hpp"
-#include "bench/output/machine.hpp"
+#include "bench/host/machine.hpp"
+#include "bench/host/terminal.hpp"
 #include "core/error.hpp"
 
 int main(int argc, char** argv) {

@@ -6,16 +6,17 @@
 #include <optional>
 #include <utility>
 
-#include "bench/harness/joule_cost.hpp"
-#include "bench/harness/run_one.hpp"
-#include "bench/harness/sampled_errors.hpp"
+#include "bench/harness/observations.hpp"
 #include "bench/harness/verification.hpp"
-#include "bench/harness/yardstick.hpp"
-#include "bench/output/machine.hpp"
-#include "bench/output/observations.hpp"
-#include "bench/output/scene_facts.hpp"
-#include "core/options.hpp"
+#include "bench/host/machine.hpp"
+#include "bench/host/yardstick.hpp"
+#include "bench/measure/joule_cost.hpp"
+#include "bench/measure/run_one.hpp"
+#include "bench/measure/sampled_errors.hpp"
+#include "bench/measure/scene_facts.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/options.hpp"
+#include "integrators/registry.hpp"
 
 namespace superstep {
 namespace {
@@ -315,6 +316,7 @@ void CaseBench::finish(BenchCase& out) {
 
 std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked) {
   std::vector<std::string> specs = asked.empty() ? scene.bench.integrators : asked;
+  if (specs.empty()) specs = representatives();
   if (std::find(specs.begin(), specs.end(), scene.bench.baseline) == specs.end())
     specs.push_back(scene.bench.baseline);
   return specs;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/console/progress.hpp"
 #include "bench/harness/reference.hpp"
+#include "bench/host/progress.hpp"
 #include "case/scene.hpp"
 #include "results/results.hpp"
 
@@ -26,8 +26,8 @@ struct HarnessOptions {
   const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C: what has been verified by then is reported
 };
 
-/// SPECs that a case is benchmarked with: those asked for, else those of the case; the baseline is appended
-/// when it is not among them.
+/// SPECs that a case is benchmarked with: those asked for, else those of the case, else all families; the
+/// baseline is appended when it is not among them.
 [[nodiscard]] std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked);
 
 /// Order of n contenders in a round: rotated by one from round to round, so that none always follows the same

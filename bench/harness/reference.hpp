@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/console/progress.hpp"
-#include "bench/output/probe_set.hpp"
+#include "bench/host/progress.hpp"
+#include "bench/measure/probe_set.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
 

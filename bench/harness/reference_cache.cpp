@@ -15,17 +15,17 @@
 #include <span>
 #include <string_view>
 
-#include "bench/harness/digest.hpp"
 #include "core/atomic_file.hpp"
+#include "core/hash.hpp"
 
 namespace superstep {
 namespace {
 
-constexpr std::string_view magic = "SSREF001";
+constexpr std::string_view magic = "SSREF002";
 constexpr std::size_t checksum_size = 32;
 
 std::string checksum(std::string_view content) {
-  return Digest().add(content).text();
+  return ContentHash().add(content).text();
 }
 
 void put(std::string& out, std::span<const double> values) {

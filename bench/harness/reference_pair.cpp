@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 #include "rhs/one_way.hpp"
 
 namespace superstep {

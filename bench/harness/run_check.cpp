@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "bench/app/spec_settings.hpp"
-#include "bench/harness/metrics.hpp"
 #include "bench/harness/reference_pair.hpp"
-#include "core/options.hpp"
+#include "bench/measure/metrics.hpp"
+#include "core/text/options.hpp"
 #include "integrators/registry.hpp"
+#include "integrators/spec_settings.hpp"
 
 namespace superstep {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/console/progress.hpp"
-#include "bench/harness/run_one.hpp"
+#include "bench/host/progress.hpp"
+#include "bench/measure/run_one.hpp"
 #include "results/results.hpp"
 
 namespace superstep {

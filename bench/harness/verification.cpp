@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/harness/metrics.hpp"
-#include "bench/harness/run_one.hpp"
-#include "bench/output/scene_facts.hpp"
+#include "bench/measure/metrics.hpp"
+#include "bench/measure/run_one.hpp"
+#include "bench/measure/scene_facts.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/harness/reference.hpp"
-#include "bench/output/probe_set.hpp"
+#include "bench/measure/probe_set.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
 #include "results/results.hpp"

@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "bench/harness/harness.hpp"
-#include "bench/harness/metrics.hpp"
 #include "bench/harness/reference.hpp"
-#include "bench/harness/run_one.hpp"
-#include "bench/output/probe_set.hpp"
-#include "bench/output/scene_facts.hpp"
+#include "bench/measure/metrics.hpp"
+#include "bench/measure/probe_set.hpp"
+#include "bench/measure/run_one.hpp"
+#include "bench/measure/scene_facts.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/console/progress.hpp"
+#include "bench/host/progress.hpp"
 #include "case/scene.hpp"
 #include "results/work_precision.hpp"
 

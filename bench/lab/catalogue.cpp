@@ -6,8 +6,8 @@
 #include <limits>
 #include <memory>
 
-#include "integrators/detail/explicit/stabilised_schemes.hpp"
-#include "integrators/detail/explicit/super_step.hpp"
+#include "integrators/schemes/stabilised_schemes.hpp"
+#include "integrators/schemes/super_step.hpp"
 
 namespace superstep {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// The stability laboratory: where each method is safe on a scene, by theory and by measurement.
 
-#include "bench/console/progress.hpp"
+#include "bench/host/progress.hpp"
 #include "case/scene.hpp"
 #include "results/stability_results.hpp"
 

@@ -10,9 +10,9 @@
 #include "bench/lab/catalogue.hpp"
 #include "bench/lab/chain.hpp"
 #include "bench/lab/perturbation.hpp"
-#include "integrators/detail/explicit/super_step.hpp"
-#include "integrators/detail/explicit/three_term.hpp"
 #include "integrators/registry.hpp"
+#include "integrators/schemes/super_step.hpp"
+#include "integrators/schemes/three_term.hpp"
 
 namespace superstep {
 namespace {

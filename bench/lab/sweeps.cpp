@@ -8,9 +8,9 @@
 
 #include "bench/lab/mode.hpp"
 #include "bench/lab/networks.hpp"
-#include "integrators/detail/explicit/stabilised_schemes.hpp"
-#include "integrators/detail/explicit/super_step.hpp"
 #include "integrators/registry.hpp"
+#include "integrators/schemes/stabilised_schemes.hpp"
+#include "integrators/schemes/super_step.hpp"
 
 namespace superstep {
 namespace {

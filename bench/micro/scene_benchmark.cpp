@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/harness/run_one.hpp"
+#include "bench/measure/run_one.hpp"
 #include "bench/micro/networks.hpp"
 #include "contact/search.hpp"
 #include "integrators/registry.hpp"

@@ -5,12 +5,13 @@
 #include <iterator>
 #include <vector>
 
-#include "bench/output/machine.hpp"
+#include "bench/host/machine.hpp"
+#include "bench/measure/scene_facts.hpp"
 #include "bench/output/output_folder.hpp"
-#include "bench/output/scene_facts.hpp"
+#include "case/checks/effective.hpp"
 #include "core/atomic_file.hpp"
-#include "core/options.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/options.hpp"
 #include "results/results_json.hpp"
 #include "results/text/csv_text.hpp"
 
@@ -49,9 +50,14 @@ void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& hist
 }
 
 /// Resistance, current and heat of a scene whose potential is steady: they cost one solve more.
-std::optional<ElectrodeFacts> steady_facts(const Scene& scene) {
-  for (const auto& field : scene.fields)
-    if (field.steady) return electrode_facts(field);
+std::optional<SteadyCurrent> steady_current(const Scene& scene) {
+  for (const auto& field : scene.fields) {
+    if (!field.steady) continue;
+    const auto facts = electrode_facts(field);
+    if (!facts) return std::nullopt;
+    return SteadyCurrent{facts->voltage, facts->current_in, facts->current_out, facts->resistance,
+                         facts->joule_heat};
+  }
   return std::nullopt;
 }
 
@@ -123,7 +129,7 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .spans = run.spans,
           .cpu_pilot = run.cpu_pilot,
           .settled_at = run.settled_at,
-          .electrodes = steady_facts(scene),
+          .electrodes = steady_current(scene),
           .max_stages = run.statistics.max_stages,
           .cpu_prepare = run.cpu_prepare,
           .cpu_stepping = run.cpu_stepping,

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "bench/harness/run_one.hpp"
-#include "bench/output/probe_set.hpp"
+#include "bench/measure/probe_set.hpp"
+#include "bench/measure/run_one.hpp"
 #include "case/scene.hpp"
 #include "results/results.hpp"
 

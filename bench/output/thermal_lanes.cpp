@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/options.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/options.hpp"
 
 namespace superstep {
 namespace {

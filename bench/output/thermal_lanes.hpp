@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/console/progress.hpp"
 #include "bench/harness/harness.hpp"
+#include "bench/host/progress.hpp"
 #include "integrators/press/sintering_case.hpp"
 #include "results/results.hpp"
 

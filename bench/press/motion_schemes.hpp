@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/console/progress.hpp"
+#include "bench/host/progress.hpp"
 #include "integrators/press/sintering_case.hpp"
 
 namespace superstep {

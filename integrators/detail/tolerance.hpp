@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 
 namespace superstep {
 

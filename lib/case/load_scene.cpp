@@ -6,13 +6,14 @@
 #include "case/build_rhs.hpp"
 #include "case/checks/law_ranges.hpp"
 #include "case/checks/warnings.hpp"
+#include "case/content_hash.hpp"
 #include "case/materials.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
 #include "case/read_packing_scene.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 
 namespace superstep {
 namespace {
@@ -26,6 +27,7 @@ void read_times(TomlTable& root, Scene& scene) {
   const auto times = root.find("output_times");
   if (!times) return;
   scene.output_times = times->numbers();
+  scene.own_output_times = true;
   double previous = 0;
   for (const double t : scene.output_times) {
     if (!(t > previous)) times->reject("the times must be > 0 and ascending [s]");
@@ -150,6 +152,7 @@ Scene load_scene(const std::string& path) {
   else
     coupling = read_particles(root, scene);
   root.finish();
+  scene.content_hash = content_hash(root);
   require_laws_to_hold(scene);
   build_rhs(path, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);

@@ -6,7 +6,7 @@
 
 #include "case/read_conductivity.hpp"
 #include "core/error.hpp"
-#include "core/suggest.hpp"
+#include "core/text/suggest.hpp"
 
 namespace superstep {
 namespace {

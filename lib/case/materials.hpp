@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/conductance.hpp"
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 #include "packing/packing.hpp"
 #include "rhs/conductivity_law.hpp"
 

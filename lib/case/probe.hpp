@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "case/scene.hpp"
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 
 namespace superstep {
 

@@ -1,6 +1,6 @@
 #include "case/read_conductivity.hpp"
 
-#include "core/suggest.hpp"
+#include "core/text/suggest.hpp"
 
 namespace superstep {
 namespace {

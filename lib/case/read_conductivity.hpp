@@ -1,7 +1,7 @@
 #pragma once
 /// `conductivity = 85.0` or a law of temperature.
 
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 #include "rhs/conductivity_law.hpp"
 
 namespace superstep {

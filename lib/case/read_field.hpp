@@ -6,7 +6,7 @@
 #include "case/materials.hpp"
 #include "case/read_packing_scene.hpp"
 #include "case/scene.hpp"
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 
 namespace superstep {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// What acts on a field from outside: `fixed`, `source`, `convection` and `radiation` of its table.
 
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 #include "network/graph.hpp"
 #include "packing/packing.hpp"
 

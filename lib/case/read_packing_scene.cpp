@@ -8,9 +8,9 @@
 #include <unordered_map>
 
 #include "contact/search.hpp"
-#include "core/csv.hpp"
 #include "core/error.hpp"
-#include "core/suggest.hpp"
+#include "core/text/csv.hpp"
+#include "core/text/suggest.hpp"
 #include "packing/generate.hpp"
 #include "packing/read.hpp"
 
@@ -161,6 +161,17 @@ void read_contacts(TomlTable& table, const std::string& case_path, const std::st
   scene.neck_report = apply_neck_law(scene.packing, *law, parameters, scene.contacts);
 }
 
+/// A packing file that states its unit decides; a case that says otherwise contradicts it.
+void adopt_stated_unit(const std::string& file, const std::optional<TomlValue>& of_case, double& unit) {
+  const std::string stated = stated_length_unit(file);
+  if (stated.empty()) return;
+  const double own = length_unit(stated, file);
+  if (of_case && own != unit)
+    of_case->reject(fmt::format("{} states that its lengths are in {}; give that unit, or leave this key out",
+                                file, stated));
+  unit = own;
+}
+
 }  // namespace
 
 std::string beside_case(const std::string& case_path, const std::string& file) {
@@ -174,10 +185,13 @@ PackingInput read_packing_scene(TomlTable& root) {
     throw InputError(fmt::format(
         "{}: [packing] is missing; name a packing file or a generator, or give a [network]", root.where()));
   PackingInput input;
-  if (const auto unit = packing->find("length_unit")) input.unit = length_unit(unit->string(), unit->where());
+  const auto unit = packing->find("length_unit");
+  if (unit) input.unit = length_unit(unit->string(), unit->where());
   const auto file = packing->find("file"), generator = packing->find("generator");
   if (!file == !generator)
     throw InputError(fmt::format("{}: give either 'file' or 'generator', one of them", packing->where()));
+  if (file) adopt_stated_unit(beside_case(root.file(), file->string()), unit, input.unit);
+  input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))
     input.scene.container = read_container(*container, input.unit);
   input.scene.packing = file ? read_packing(beside_case(root.file(), file->string()), input.unit)

@@ -39,6 +39,7 @@ struct CaseContainer {
 /// The packing's side of a scene; absent for a network given directly.
 struct PackingScene {
   Packing packing;
+  double length_unit = 1;  ///< m, of the packing file and of selections
   Contacts contacts;
   std::string neck;
   NeckReport neck_report;
@@ -65,15 +66,17 @@ struct FieldScene {
 
 /// What `[bench]` asks for.
 struct BenchSettings {
-  std::string baseline = "forward-euler";
-  std::vector<std::string> integrators;
+  std::string baseline = "forward-euler:fraction=1,bound=lanczos";  ///< at its true limit
+  std::vector<std::string> integrators;                             ///< empty = every family
 };
 
 struct Scene {
   std::string file, name;  ///< path of the case; its stem
   std::string title, source;
+  std::string content_hash;          ///< of the case and its data files; empty = not read from a file
   double t_end = 0;                  ///< s
   std::vector<double> output_times;  ///< s, ascending; the last is t_end
+  bool own_output_times = false;     ///< the case states them; else there is t_end alone
   std::optional<PackingScene> packed;
   std::vector<FieldScene> fields;
   std::unique_ptr<Rhs> rhs;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 #include "packing/packing.hpp"
 
 namespace superstep {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "packing/random.hpp"
+#include "core/random.hpp"
 
 namespace superstep::dynamics {
 namespace {

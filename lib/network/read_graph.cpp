@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/csv.hpp"
 #include "core/error.hpp"
+#include "core/text/csv.hpp"
 #include "network/graph.hpp"
 
 namespace superstep {

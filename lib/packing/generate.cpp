@@ -10,9 +10,9 @@
 #include <tuple>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "packing/near_pairs.hpp"
 #include "packing/pack_checks.hpp"
-#include "packing/random.hpp"
 #include "packing/relax.hpp"
 #include "packing/seat_loners.hpp"
 #include "packing/size_distribution.hpp"

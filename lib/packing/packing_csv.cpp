@@ -10,7 +10,7 @@ std::string packing_csv(const Packing& packing) {
   const bool has_materials = !packing.material_names.empty();
   fmt::memory_buffer text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "id,x,y,z,radius{}\n", has_materials ? ",material" : "");
+  fmt::format_to(out, "# length_unit = \"m\"\nid,x,y,z,radius{}\n", has_materials ? ",material" : "");
   for (std::size_t k = 0; k < packing.size(); ++k) {
     const auto [x, y, z] = packing.centre[k];
     // "{}" writes the shortest text that reads back as the same double.

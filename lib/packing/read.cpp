@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/number.hpp"
-#include "core/text_file.hpp"
+#include "core/text/number.hpp"
+#include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/text_row.hpp"
 
@@ -42,7 +42,7 @@ Reader recognise(std::string_view text) {
 /// A text without a comma in its first line cannot be CSV.
 void require_csv(const std::string& path, std::string_view text) {
   LineReader lines(text);
-  while (lines.next() && trimmed(lines.line()).empty()) {
+  while (lines.next() && (trimmed(lines.line()).empty() || trimmed(lines.line()).front() == '#')) {
   }
   if (lines.line().find(',') == std::string_view::npos)
     throw InputError(
@@ -61,6 +61,27 @@ Packing read_packing(const std::string& path, double unit) {
     require_csv(path, text);
   }
   return read_csv(path, unit);
+}
+
+std::string stated_length_unit(const std::string& path) {
+  constexpr std::string_view key = "length_unit";
+  const std::string text = read_text_file(path);
+  LineReader lines(text);
+  while (lines.next()) {
+    std::string_view line = trimmed(lines.line());
+    if (line.empty()) continue;
+    if (line.front() != '#') break;
+    line = trimmed(line.substr(1));
+    if (!line.starts_with(key)) continue;
+    line = trimmed(line.substr(key.size()));
+    if (line.empty() || line.front() != '=') continue;
+    line = trimmed(line.substr(1));
+    if (line.size() >= 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
+    const std::string name(line);
+    (void)length_unit(name, fmt::format("{}:{}", path, lines.number()));
+    return name;
+  }
+  return {};
 }
 
 double length_unit(const std::string& name, const std::string& where) {

@@ -18,7 +18,12 @@ namespace superstep {
 /// name.
 [[nodiscard]] double length_unit(const std::string& name, const std::string& where);
 
-/// CSV text `id,x,y,z,radius[,material]` in metres with enough digits to read back the same contacts.
+/// Name of the unit of length that a packing file states in its comments, as in `# length_unit = "um"`; empty
+/// when it states none. Throws InputError for a file that cannot be read.
+[[nodiscard]] std::string stated_length_unit(const std::string& path);
+
+/// CSV text `id,x,y,z,radius[,material]` in metres, which its first line states, with enough digits to read
+/// back the same contacts.
 [[nodiscard]] std::string packing_csv(const Packing& packing);
 
 }  // namespace superstep

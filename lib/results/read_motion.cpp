@@ -10,9 +10,9 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
-#include "reports/html/thinning.hpp"
+#include "core/text/text_file.hpp"
 #include "results/text/csv_table.hpp"
+#include "results/thinning.hpp"
 
 namespace superstep {
 namespace {

@@ -1,7 +1,7 @@
 #include "results/read_work_precision.hpp"
 
-#include "core/number.hpp"
-#include "core/options.hpp"
+#include "core/text/number.hpp"
+#include "core/text/options.hpp"
 #include "results/text/csv_table.hpp"
 
 namespace superstep {

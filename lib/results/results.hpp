@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "case/checks/effective.hpp"
 #include "results/observations.hpp"
 
 namespace superstep {
@@ -112,6 +111,14 @@ struct BenchReport {
   std::vector<BenchCase> cases;
 };
 
+/// What a steady current between two electrodes does.
+struct SteadyCurrent {
+  double voltage = 0;                      ///< V
+  double current_in = 0, current_out = 0;  ///< A
+  double resistance = 0;                   ///< Ohm; infinite when no current flows
+  double joule_heat = 0;                   ///< W
+};
+
 /// Everything about one run of `superstep run` that its CSV files do not hold.
 struct RunRecord {
   std::string version, revision;
@@ -127,7 +134,7 @@ struct RunRecord {
   std::vector<double> spans;             ///< [fields] K or V; empty = no tolerance asked for them
   double cpu_pilot = 0, cpu_verify = 0;  ///< s
   std::optional<double> settled_at;      ///< s, when the potential became steady and was no longer stepped
-  std::optional<ElectrodeFacts> electrodes;
+  std::optional<SteadyCurrent> electrodes;
   int max_stages = 0, threads = 1;
   double cpu_setup = 0, cpu_prepare = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
   double peak_memory_mb = 0;                                                   ///< 1e6 bytes

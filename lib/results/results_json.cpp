@@ -99,7 +99,7 @@ std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json electrodes_json(const std::optional<ElectrodeFacts>& facts) {
+Json electrodes_json(const std::optional<SteadyCurrent>& facts) {
   if (!facts) return nullptr;
   return {{"voltage_v", facts->voltage},
           {"current_in_a", facts->current_in},

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "results/answer.hpp"
 #include "results/text/text_table.hpp"
 
 namespace superstep {
@@ -21,8 +26,8 @@ std::string error_text(const Number& error, const Number& bar) {
 }
 
 // Half the distance between the fastest and the slowest repetition, relative to the median.
-std::string spread_text(const Timing& timing) {
-  if (!(timing.median > 0)) return "";
+std::string spread_text(const Timing& timing, int repetitions) {
+  if (!(timing.median > 0) || repetitions < 2) return "";
   return fmt::format("{:.0f}%", 50 * (timing.max - timing.min) / timing.median);
 }
 
@@ -38,7 +43,8 @@ std::vector<TextTable::Cell> cells(const BenchRow& row, const std::string& basel
           {text(row.steps)},
           {text(row.rhs)},
           {row.cpu_stepping ? fmt::format("{:.3g}", row.cpu_stepping->median) : ""},
-          {row.cpu_stepping ? spread_text(*row.cpu_stepping) : ""},
+          {row.cpu_stepping ? spread_text(*row.cpu_stepping, row.repetitions) : ""},
+          {text(row.cpu_prepare, "{:.2g}")},
           {text(row.speedup_stepping, "{:.3g}")},
           {text(row.speedup_theory, "{:.3g}")},
           {error_text(errors.probe_mean, errors.reference_error)},
@@ -62,6 +68,17 @@ std::string heading(const BenchCase& one, int repetitions, int threads) {
   return out + "\n";
 }
 
+// Rows that were not timed come last, in the order in which they were asked for.
+std::vector<const BenchRow*> fastest_first(const BenchCase& one) {
+  std::vector<const BenchRow*> rows;
+  for (const auto& row : one.rows) rows.push_back(&row);
+  std::stable_sort(rows.begin(), rows.end(), [](const BenchRow* a, const BenchRow* b) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    return prepared_cpu(*a).value_or(never) < prepared_cpu(*b).value_or(never);
+  });
+  return rows;
+}
+
 // What methods chose by themselves, and why others failed.
 std::string notes_below(const BenchCase& one) {
   std::string out;
@@ -83,17 +100,20 @@ std::string results_table(const BenchCase& one, int repetitions, int threads, bo
                    {"work", "sweeps"},
                    {"CPU stepping", "median s"},
                    {"CPU stepping", "+-"},
+                   {"CPU", "prepare s"},
                    {"speedup", "CPU"},
                    {"speedup", "theory"},
                    {errors, "probe"},
                    {errors, "rms"},
                    {decay, "k [1/s]"},
                    {decay, "R2"}});
-  for (const auto& row : one.rows) table.add_row(cells(row, one.baseline));
+  for (const auto* row : fastest_first(one)) table.add_row(cells(*row, one.baseline));
   std::string out =
       styled(heading(one, repetitions, threads), Style::plain, color) + "\n" + table.text(color);
-  const std::string notes = notes_below(one);
-  return out + (notes.empty() ? "" : "\n" + notes);
+  const std::string notes = notes_below(one), answer = answer_text(one);
+  if (!notes.empty()) out += "\n" + notes;
+  if (!answer.empty()) out += "\n" + answer + "\n";
+  return out;
 }
 
 }  // namespace superstep

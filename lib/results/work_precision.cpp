@@ -91,8 +91,9 @@ std::string winners_table(const WorkPrecision& study, bool color) {
          {seconds(level.winner->cpu)},
          {level.runner_up ? level.runner_up->spec : "nobody"},
          {level.lead ? fmt::format("{:.2f}x", *level.lead) : ""},
-         {level.over_euler ? fmt::format("{}{:.3g}x", level.euler_misses ? ">" : "", *level.over_euler)
-                           : ""}});
+         {level.euler_misses ? "Euler does not reach it"
+          : level.over_euler ? fmt::format("{:.3g}x", *level.over_euler)
+                             : ""}});
   }
   return table.text(color);
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 #include "results/results.hpp"
 
 namespace superstep {

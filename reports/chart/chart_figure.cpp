@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/number.hpp"
+#include "core/text/number.hpp"
 #include "reports/chart/chart.hpp"
 #include "results/text/html_text.hpp"
 

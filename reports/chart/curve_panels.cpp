@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 
 namespace superstep {
 namespace {

@@ -8,7 +8,8 @@
 #include <map>
 #include <optional>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
+#include "integrators/registry.hpp"
 
 namespace superstep {
 namespace {
@@ -17,19 +18,7 @@ struct Colour {
   double red, green, blue;  // 0 .. 255
 };
 
-struct MethodLook {
-  const char* integrator;
-  const char* colour;
-  Marker marker;
-};
-constexpr MethodLook method_looks[] = {
-    {"forward-euler", "#7f7f7f", Marker::cross}, {"sts", "#0f7dc2", Marker::circle},
-    {"rkc", "#e69f00", Marker::square},          {"rkl", "#009e73", Marker::triangle},
-    {"rkg", "#cc79a7", Marker::diamond},         {"trapezoidal", "#d55e00", Marker::plus},
-    {"exponential", "#3fb8f0", Marker::square},  {"cvode", "#a44fa0", Marker::triangle},
-    {"auto", "#9a9a2e", Marker::diamond},
-};
-constexpr std::array<const char*, 4> spare_colours = {"#b07d4f", "#5b8c5a", "#c44e6b", "#6f7fd0"};
+constexpr std::array<const char*, 3> spare_colours = {"#c44e6b", "#6f7fd0", "#7a6a4f"};
 constexpr std::array markers = {Marker::circle,  Marker::square, Marker::triangle,
                                 Marker::diamond, Marker::plus,   Marker::cross};
 constexpr std::array<const char*, 5> dashes = {"", "7 3", "2 3", "9 3 2 3", "4 2"};
@@ -120,11 +109,13 @@ Spec lenient_spec(const std::string& text) {
 }  // namespace
 
 Look method_look(const std::string& integrator) {
-  for (const auto& entry : method_looks)
-    if (integrator == entry.integrator) return {entry.colour, "", entry.marker};
-  std::size_t sum = 0;
-  for (const char c : integrator) sum += static_cast<unsigned char>(c);
-  return {spare_colours[sum % spare_colours.size()], "", markers[sum % markers.size()]};
+  std::size_t place = 0;
+  for (const auto& entry : integrators()) {
+    const Marker marker = markers[place++ % markers.size()];
+    if (integrator == entry.name && !entry.colour.empty()) return {entry.colour, "", marker};
+  }
+  for (const char c : integrator) place += static_cast<unsigned char>(c);
+  return {spare_colours[place % spare_colours.size()], "", markers[place % markers.size()]};
 }
 
 std::vector<Look> looks_of(std::span<const std::string> specs) {

@@ -1,6 +1,7 @@
 #include "reports/gate/gate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ class Judge {
     const MeasuredCase* now = now_.find(before.name);
     if (!now) {
       spec_ = "";
-      return add("case", "measured", "missing", Verdict::regressed);
+      return add("case", "measured", "not measured", GateVerdict::inconclusive);
     }
     for (const auto& row : before.rows) judge_row(before, row, *now);
     for (const auto& row : now->rows)
@@ -63,10 +64,10 @@ class Judge {
   void judge_row(const MeasuredCase& case_before, const MeasuredRow& before, const MeasuredCase& case_now) {
     spec_ = before.spec;
     const MeasuredRow* now = case_now.find(before.spec);
-    if (!now) return add("method", "measured", "missing", Verdict::regressed);
+    if (!now) return not_measured_.push_back(fmt::format("{} on {}", spec_, case_));
     if (before.status != now->status)
       return add("status", before.status, now->status,
-                 now->status == "ok" ? Verdict::better : Verdict::regressed);
+                 now->status == "ok" ? GateVerdict::better : GateVerdict::regressed);
     ++report_.passed;
     if (before.status != "ok") return;
     for (const char* counter : counters) judge_counter(counter, before, *now);
@@ -83,9 +84,9 @@ class Judge {
     const double tolerance = is_adaptive_(before.integrator)
                                  ? std::max(limits_.adaptive_counters * *a, limits_.adaptive_counts)
                                  : 0;
-    const Verdict verdict = !b || *b > *a + tolerance ? Verdict::regressed
-                            : *b < *a - tolerance     ? Verdict::better
-                                                      : Verdict::passed;
+    const GateVerdict verdict = !b || *b > *a + tolerance ? GateVerdict::regressed
+                                : *b < *a - tolerance     ? GateVerdict::better
+                                                          : GateVerdict::passed;
     add(what, shown(a), shown(b), verdict);
   }
 
@@ -97,14 +98,17 @@ class Judge {
     const double slack = std::max(before.number(bar).value_or(0), now.number(bar).value_or(0));
     const bool worse = !b || !(*b <= *a * (1 + limits_.errors) + slack);
     const bool better = b && *a > *b * (1 + limits_.errors) + slack;
-    add(what, shown(a), shown(b), worse ? Verdict::regressed : better ? Verdict::better : Verdict::passed);
+    add(what, shown(a), shown(b),
+        worse    ? GateVerdict::regressed
+        : better ? GateVerdict::better
+                 : GateVerdict::passed);
   }
 
   void judge_balance(const std::string& what, const MeasuredRow& before, const MeasuredRow& now) {
     const auto a = before.number(what), b = now.number(what);
     if (!a) return;
     const bool worse = !b || !(std::abs(*b) <= std::abs(*a) * (1 + limits_.errors) + limits_.balance);
-    add(what, shown(a), shown(b), worse ? Verdict::regressed : Verdict::passed);
+    add(what, shown(a), shown(b), worse ? GateVerdict::regressed : GateVerdict::passed);
   }
 
   void judge_time(const MeasuredCase& case_before, const MeasuredRow& before, const MeasuredCase& case_now,
@@ -114,23 +118,23 @@ class Judge {
     const std::size_t rounds = std::min(a.rounds(), b.rounds());
     if (rounds < limits_.rounds)
       return add(what, fmt::format("{} rounds", a.rounds()), fmt::format("{} rounds", b.rounds()),
-                 Verdict::not_judged);
+                 GateVerdict::not_judged);
     double shortest = median(a.work);
     for (const auto* times : {&a.yardstick, &b.work, &b.yardstick})
       shortest = std::min(shortest, median(*times));
     if (shortest < limits_.shortest)
-      return add(what, "", fmt::format("{:.2g} s is too short to judge", shortest), Verdict::not_judged);
+      return add(what, "", fmt::format("{:.2g} s is too short to judge", shortest), GateVerdict::not_judged);
     for (const auto* timings : {&a, &b})
       if (const auto itself = against_itself(*timings);
           itself.above(limits_.slower) || itself.below(1 / limits_.slower))
         return add(what, timings == &a ? "A/A " + text_of(itself) : "",
-                   timings == &b ? "A/A " + text_of(itself) : "", Verdict::inconclusive);
+                   timings == &b ? "A/A " + text_of(itself) : "", GateVerdict::inconclusive);
     const auto ratio = slowdown(b, a);
     const bool sure = ratio.below(limits_.unsure) && ratio.estimate <= limits_.slower;
-    const Verdict verdict = ratio.above(limits_.slower)       ? Verdict::regressed
-                            : !sure                           ? Verdict::inconclusive
-                            : ratio.below(1 / limits_.slower) ? Verdict::better
-                                                              : Verdict::passed;
+    const GateVerdict verdict = ratio.above(limits_.slower)       ? GateVerdict::regressed
+                                : !sure                           ? GateVerdict::inconclusive
+                                : ratio.below(1 / limits_.slower) ? GateVerdict::better
+                                                                  : GateVerdict::passed;
     add(what, "x 1", text_of(ratio), verdict);
   }
 
@@ -138,22 +142,25 @@ class Judge {
     return value ? fmt::format("{:.6g}", *value) : "not measured";
   }
 
-  void add(std::string what, std::string before, std::string now, Verdict verdict) {
-    if (verdict == Verdict::passed)
+  void add(std::string what, std::string before, std::string now, GateVerdict verdict) {
+    if (verdict == GateVerdict::passed)
       ++report_.passed;
     else
       report_.findings.push_back({case_, spec_, std::move(what), std::move(before), std::move(now), verdict});
   }
 
   void conclude() {
-    const auto any = [&](Verdict verdict) {
+    if (!not_measured_.empty())
+      report_.notes.push_back(
+          fmt::format("Not measured here, so not judged: {}.", fmt::join(not_measured_, ", ")));
+    const auto any = [&](GateVerdict verdict) {
       return std::any_of(report_.findings.begin(), report_.findings.end(),
                          [&](const auto& finding) { return finding.verdict == verdict; });
     };
-    report_.verdict = any(Verdict::regressed)                             ? Verdict::regressed
-                      : any(Verdict::inconclusive) || report_.passed == 0 ? Verdict::inconclusive
-                                                                          : Verdict::passed;
-    if (any(Verdict::better))
+    report_.verdict = any(GateVerdict::regressed)                             ? GateVerdict::regressed
+                      : any(GateVerdict::inconclusive) || report_.passed == 0 ? GateVerdict::inconclusive
+                                                                              : GateVerdict::passed;
+    if (any(GateVerdict::better))
       report_.notes.emplace_back("Something got better: renew the baseline, so that it stays so.");
     std::stable_sort(report_.findings.begin(), report_.findings.end(),
                      [](const auto& a, const auto& b) { return a.verdict > b.verdict; });
@@ -164,6 +171,7 @@ class Judge {
   const GateLimits& limits_;
   bool comparable_ = false;
   std::string case_, spec_;
+  std::vector<std::string> not_measured_;  // methods of the baseline
   GateReport report_;
 };
 

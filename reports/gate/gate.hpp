@@ -22,20 +22,20 @@ struct GateLimits {
   double shortest = 0.005;  ///< s, shorter timings are not judged
 };
 
-enum class Verdict { passed, better, not_judged, inconclusive, regressed };
+enum class GateVerdict { passed, better, not_judged, inconclusive, regressed };
 
 /// One thing that was looked at.
 struct GateFinding {
   std::string case_name, spec, what;
   std::string before, now;
-  Verdict verdict = Verdict::passed;
+  GateVerdict verdict = GateVerdict::passed;
 };
 
 struct GateReport {
-  Verdict verdict = Verdict::passed;  ///< passed, inconclusive or regressed
-  std::string results, baseline;      ///< files
-  std::vector<GateFinding> findings;  ///< all that did not simply pass
-  std::size_t passed = 0;             ///< how many did
+  GateVerdict verdict = GateVerdict::passed;  ///< passed, inconclusive or regressed
+  std::string results, baseline;              ///< files
+  std::vector<GateFinding> findings;          ///< all that did not simply pass
+  std::size_t passed = 0;                     ///< how many did
   std::vector<std::string> notes;
 };
 
@@ -46,7 +46,7 @@ struct GateReport {
                                const std::function<bool(const std::string&)>& is_adaptive,
                                const GateLimits& limits = {});
 
-[[nodiscard]] const char* verdict_name(Verdict verdict) noexcept;
+[[nodiscard]] const char* verdict_name(GateVerdict verdict) noexcept;
 [[nodiscard]] std::string gate_markdown(const GateReport& report);
 [[nodiscard]] std::string gate_json(const GateReport& report);
 

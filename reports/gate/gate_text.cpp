@@ -6,17 +6,17 @@
 
 namespace superstep {
 
-const char* verdict_name(Verdict verdict) noexcept {
+const char* verdict_name(GateVerdict verdict) noexcept {
   switch (verdict) {
-    case Verdict::passed:
+    case GateVerdict::passed:
       return "passed";
-    case Verdict::better:
+    case GateVerdict::better:
       return "better";
-    case Verdict::not_judged:
+    case GateVerdict::not_judged:
       return "not judged";
-    case Verdict::inconclusive:
+    case GateVerdict::inconclusive:
       return "inconclusive";
-    case Verdict::regressed:
+    case GateVerdict::regressed:
       return "regressed";
   }
   return "";

@@ -15,7 +15,7 @@ struct MeasuredRow {
   std::string integrator, spec, status;
   std::map<std::string, double> numbers;  ///< the columns of results.csv that hold a number
   std::vector<double> cpu_stepping;       ///< s, one per round
-  std::vector<double> yardstick;          ///< s, one per round: see bench/harness/yardstick.hpp
+  std::vector<double> yardstick;          ///< s, one per round: see bench/host/yardstick.hpp
 
   /// A column's number; empty when it was not measured.
   [[nodiscard]] std::optional<double> number(const std::string& column) const;

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/number.hpp"
-#include "core/text_file.hpp"
+#include "core/text/number.hpp"
+#include "core/text/text_file.hpp"
 #include "reports/html/embedded.hpp"
 
 namespace superstep {

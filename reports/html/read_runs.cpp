@@ -4,9 +4,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "reports/html/thinning.hpp"
 #include "results/read_motion.hpp"
 #include "results/read_results.hpp"
+#include "results/thinning.hpp"
 
 namespace superstep {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "reports/html/read_runs.hpp"
 #include "results/observations_csv.hpp"
 #include "results/read_results.hpp"

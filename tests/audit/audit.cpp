@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/harness/run_one.hpp"
-#include "core/options.hpp"
+#include "bench/measure/run_one.hpp"
+#include "core/text/options.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep::audit {

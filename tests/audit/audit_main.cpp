@@ -14,7 +14,7 @@
 #include "audit/audit.hpp"
 #include "audit/special_audits.hpp"
 #include "audit/verdict.hpp"
-#include "bench/output/machine.hpp"
+#include "bench/host/machine.hpp"
 #include "core/stopwatch.hpp"
 
 namespace superstep::audit {

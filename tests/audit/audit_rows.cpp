@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "audit/audit.hpp"
-#include "core/number.hpp"
+#include "core/text/number.hpp"
 
 namespace superstep::audit {
 namespace {

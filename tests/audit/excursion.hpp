@@ -2,8 +2,8 @@
 /// Something that changes in time, as a shape between 0 and 1: ramps, pulses, a heater that goes on and off,
 /// steps, sampled profiles.
 
+#include "core/random.hpp"
 #include "core/time_table.hpp"
-#include "packing/random.hpp"
 
 namespace superstep::audit {
 

@@ -7,7 +7,7 @@
 
 #include "audit/special_audits.hpp"
 #include "audit/verdict.hpp"
-#include "bench/harness/run_one.hpp"
+#include "bench/measure/run_one.hpp"
 #include "integrators/spans.hpp"
 
 namespace superstep::audit {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "packing/random.hpp"
+#include "core/random.hpp"
 
 namespace superstep::audit {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "bench/harness/metrics.hpp"
-#include "bench/harness/run_one.hpp"
+#include "bench/measure/metrics.hpp"
+#include "bench/measure/run_one.hpp"
 #include "case/scene.hpp"
 #include "integrators/press/sintering_case.hpp"
 #include "integrators/registry.hpp"

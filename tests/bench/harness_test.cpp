@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include "bench/app/spec_settings.hpp"
 #include "core/error.hpp"
+#include "integrators/spec_settings.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

@@ -1,11 +1,11 @@
-#include "bench/harness/joule_cost.hpp"
+#include "bench/measure/joule_cost.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "bench/harness/harness.hpp"
-#include "bench/harness/run_one.hpp"
+#include "bench/measure/run_one.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

@@ -1,4 +1,4 @@
-#include "bench/harness/metrics.hpp"
+#include "bench/measure/metrics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bench/output/observations.hpp"
+#include "bench/harness/observations.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

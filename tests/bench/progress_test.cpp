@@ -1,4 +1,4 @@
-#include "bench/console/progress.hpp"
+#include "bench/host/progress.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/app/loaded_case.hpp"
-#include "bench/harness/run_one.hpp"
+#include "bench/measure/run_one.hpp"
 #include "bench/output/run_files.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {

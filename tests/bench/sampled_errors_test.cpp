@@ -1,6 +1,6 @@
 /// Errors by the rule of a published table, on histories whose answers are known.
 
-#include "bench/harness/sampled_errors.hpp"
+#include "bench/measure/sampled_errors.hpp"
 
 #include <gtest/gtest.h>
 

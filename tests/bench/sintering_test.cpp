@@ -8,7 +8,7 @@
 #include "bench/output/thermal_lanes.hpp"
 #include "bench/press/motion_schemes.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "small_press.hpp"
 #include "temporary_case.hpp"
 

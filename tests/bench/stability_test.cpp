@@ -17,7 +17,7 @@
 #include "bench/lab/rounding.hpp"
 #include "bench/lab/verdicts.hpp"
 #include "core/error.hpp"
-#include "integrators/detail/explicit/super_step.hpp"
+#include "integrators/schemes/super_step.hpp"
 #include "reports/text/stability_report.hpp"
 #include "results/stability_tables.hpp"
 #include "support/problem.hpp"

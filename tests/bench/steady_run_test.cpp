@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/app/loaded_case.hpp"
-#include "bench/harness/run_one.hpp"
+#include "bench/measure/run_one.hpp"
 #include "bench/output/run_files.hpp"
 #include "temporary_case.hpp"
 

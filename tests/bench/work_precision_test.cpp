@@ -7,7 +7,7 @@
 #include <set>
 
 #include "case/scene.hpp"
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {

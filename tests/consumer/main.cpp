@@ -1,8 +1,8 @@
 /// The library as somebody else uses it: a case file, one integrator, and the final temperatures.
 
+#include <case/scene.hpp>
 #include <integrators/registry.hpp>
 #include <iostream>
-#include <scene/scene.hpp>
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

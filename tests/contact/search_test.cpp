@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "packing/random.hpp"
+#include "core/random.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace superstep {

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "core/atomic_file.hpp"
-#include "core/csv.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/text/csv.hpp"
+#include "core/text/text_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace superstep {

@@ -1,4 +1,4 @@
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/suggest.hpp"
+#include "core/text/suggest.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 
 #include <gtest/gtest.h>
 

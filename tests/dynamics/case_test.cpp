@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "integrators/press/sintering_case.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "integrators/press/sintering_case.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"

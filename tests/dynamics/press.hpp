@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/random.hpp"
 #include "integrators/press/motion.hpp"
-#include "packing/random.hpp"
 
 namespace superstep::test {
 

@@ -11,9 +11,9 @@
 
 #include "core/error.hpp"
 #include "integrators/detail/explicit/rock_finish.hpp"
-#include "integrators/detail/explicit/rock_polynomial.hpp"
-#include "integrators/detail/explicit/stabilised_schemes.hpp"
 #include "integrators/registry.hpp"
+#include "integrators/schemes/rock_polynomial.hpp"
+#include "integrators/schemes/stabilised_schemes.hpp"
 #include "support/problem.hpp"
 #include "support/small_system.hpp"
 

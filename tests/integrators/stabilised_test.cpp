@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "integrators/detail/explicit/stabilised_schemes.hpp"
+#include "integrators/schemes/stabilised_schemes.hpp"
 #include "support/problem.hpp"
 
 namespace superstep {

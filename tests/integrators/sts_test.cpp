@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "integrators/detail/explicit/super_step.hpp"
-#include "integrators/detail/explicit/three_term.hpp"
 #include "integrators/detail/run_guard.hpp"
 #include "integrators/registry.hpp"
+#include "integrators/schemes/super_step.hpp"
+#include "integrators/schemes/three_term.hpp"
 #include "support/problem.hpp"
 
 namespace superstep {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "packing/random.hpp"
+#include "core/random.hpp"
 
 namespace superstep {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "packing/random.hpp"
+#include "core/random.hpp"
 #include "packing/read.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -53,7 +53,7 @@ TEST(PackingCsv, ReadsBackEveryBit) {
 }
 
 TEST(PackingCsv, LeavesTheMaterialOutWhenThereIsNone) {
-  EXPECT_EQ(packing_csv(two_spheres()), "id,x,y,z,radius\n4,0,0,0,1\n9,3,-1,2,0.5\n");
+  EXPECT_EQ(packing_csv(two_spheres()), "# length_unit = \"m\"\nid,x,y,z,radius\n4,0,0,0,1\n9,3,-1,2,0.5\n");
 }
 
 }  // namespace

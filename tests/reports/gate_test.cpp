@@ -85,7 +85,7 @@ GateReport gate(const ResultsFile& now, const ResultsFile& before) {
   return judge(now, before, is_adaptive);
 }
 
-bool mentions(const GateReport& report, const std::string& what, Verdict verdict) {
+bool mentions(const GateReport& report, const std::string& what, GateVerdict verdict) {
   for (const auto& finding : report.findings)
     if (finding.what == what && finding.verdict == verdict) return true;
   return false;
@@ -94,7 +94,7 @@ bool mentions(const GateReport& report, const std::string& what, Verdict verdict
 TEST(Gate, PassesAnUnchangedBuildTenTimesOutOfTen) {
   const auto before = measured({}, 1);
   for (unsigned seed = 2; seed < 12; ++seed)
-    EXPECT_EQ(gate(measured({}, seed), before).verdict, Verdict::passed)
+    EXPECT_EQ(gate(measured({}, seed), before).verdict, GateVerdict::passed)
         << gate_markdown(gate(measured({}, seed), before));
 }
 
@@ -102,20 +102,20 @@ TEST(Gate, FailsWhenSweepsAreATenthSlower) {
   const auto before = measured({}, 1);
   for (unsigned seed = 2; seed < 12; ++seed) {
     const auto report = gate(measured({.sweep = 1.10}, seed), before);
-    EXPECT_EQ(report.verdict, Verdict::regressed) << gate_markdown(report);
-    EXPECT_TRUE(mentions(report, "CPU in yardsticks", Verdict::regressed));
+    EXPECT_EQ(report.verdict, GateVerdict::regressed) << gate_markdown(report);
+    EXPECT_TRUE(mentions(report, "CPU in yardsticks", GateVerdict::regressed));
   }
 }
 
 TEST(Gate, FailsWhenOneMethodIsATenthSlower) {
   const auto report = gate(measured({.rkc = 1.10}, 2), measured({}, 1));
-  EXPECT_EQ(report.verdict, Verdict::regressed);
-  EXPECT_TRUE(mentions(report, "CPU to baseline", Verdict::regressed));
+  EXPECT_EQ(report.verdict, GateVerdict::regressed);
+  EXPECT_TRUE(mentions(report, "CPU to baseline", GateVerdict::regressed));
 }
 
 TEST(Gate, FailsOnOneSweepMorePerStep) {
   const auto report = gate(measured({.extra_sweeps = 1}, 2), measured({}, 1));
-  EXPECT_EQ(report.verdict, Verdict::regressed);
+  EXPECT_EQ(report.verdict, GateVerdict::regressed);
   int methods = 0;
   for (const auto& finding : report.findings) methods += finding.what == "rhs" ? 1 : 0;
   EXPECT_EQ(methods, 2) << "fixed steps and adaptive: " << gate_markdown(report);
@@ -123,24 +123,24 @@ TEST(Gate, FailsOnOneSweepMorePerStep) {
 
 TEST(Gate, FailsOnAnErrorTenTimesLarger) {
   const auto report = gate(measured({.error = 10}, 2), measured({}, 1));
-  EXPECT_EQ(report.verdict, Verdict::regressed);
-  EXPECT_TRUE(mentions(report, "error_rms", Verdict::regressed));
+  EXPECT_EQ(report.verdict, GateVerdict::regressed);
+  EXPECT_TRUE(mentions(report, "error_rms", GateVerdict::regressed));
 }
 
 TEST(Gate, ErrorsWithinTheReferencesBarSayNothing) {
   auto before = measured({}, 1), now = measured({}, 2);
   before.cases[0].rows[1].numbers["error_rms"] = 1e-9;
   now.cases[0].rows[1].numbers["error_rms"] = 1e-8;  // the bar is 1e-7
-  EXPECT_EQ(gate(now, before).verdict, Verdict::passed);
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::passed);
 }
 
 TEST(Gate, FixedStepsToleratesNoExtraWorkAdaptiveAFiftieth) {
   const auto before = measured({}, 1);
   auto now = measured({}, 2);
   now.cases[0].rows[1].numbers["rhs"] = 1420;  // + 1.4 %
-  EXPECT_EQ(gate(now, before).verdict, Verdict::passed);
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::passed);
   now.cases[0].rows[0].numbers["rhs"] = 1001;
-  EXPECT_EQ(gate(now, before).verdict, Verdict::regressed);
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::regressed);
 }
 
 TEST(Gate, SaysInconclusiveWhenNoiseHidesTheAnswer) {
@@ -148,8 +148,8 @@ TEST(Gate, SaysInconclusiveWhenNoiseHidesTheAnswer) {
   for (unsigned seed = 2; seed < 12; ++seed) {
     const auto report =
         gate(measured({.rounds = 7, .noise = 0.3}, seed), measured({.rounds = 7, .noise = 0.3}, seed + 50));
-    EXPECT_NE(report.verdict, Verdict::passed) << "30 % noise cannot show that nothing got slower";
-    inconclusive += report.verdict == Verdict::inconclusive ? 1 : 0;
+    EXPECT_NE(report.verdict, GateVerdict::passed) << "30 % noise cannot show that nothing got slower";
+    inconclusive += report.verdict == GateVerdict::inconclusive ? 1 : 0;
   }
   EXPECT_GE(inconclusive, 9);  // 99 % intervals: a false alarm is rare, not impossible
 }
@@ -159,41 +159,50 @@ TEST(Gate, TimingsThatDisagreeWithThemselvesAreNotTrusted) {
   auto& times = now.cases[0].rows[1].cpu_stepping;
   for (std::size_t k = 1; k < times.size(); k += 2) times[k] *= 1.3;
   const auto report = gate(now, measured({}, 1));
-  EXPECT_EQ(report.verdict, Verdict::inconclusive) << gate_markdown(report);
+  EXPECT_EQ(report.verdict, GateVerdict::inconclusive) << gate_markdown(report);
 }
 
 TEST(Gate, AnotherProcessorIsNotJudgedByItsTimes) {
   auto now = measured({.sweep = 2}, 2);
   now.processor = "another processor";
   const auto report = gate(now, measured({}, 1));
-  EXPECT_EQ(report.verdict, Verdict::passed);
+  EXPECT_EQ(report.verdict, GateVerdict::passed);
   EXPECT_FALSE(report.notes.empty());
   now.cases[0].rows[0].numbers["rhs"] = 2000;
-  EXPECT_EQ(gate(now, measured({}, 1)).verdict, Verdict::regressed) << "counters always count";
+  EXPECT_EQ(gate(now, measured({}, 1)).verdict, GateVerdict::regressed) << "counters always count";
 }
 
-TEST(Gate, WhatIsMissingOrFailsIsARegression) {
+TEST(Gate, AMethodThatWasNotMeasuredIsNotJudged) {
   const auto before = measured({}, 1);
   auto now = before;
   now.cases[0].rows.pop_back();
-  EXPECT_EQ(gate(now, before).verdict, Verdict::regressed);
-  now = before;
+  const auto report = gate(now, before);
+  EXPECT_EQ(report.verdict, GateVerdict::passed);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_EQ(report.notes.back(), "Not measured here, so not judged: rkc:rtol=1e-4 on rod.");
+  now.cases[0].rows.clear();
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::inconclusive) << "nothing was measured";
+}
+
+TEST(Gate, WhatFailsIsARegression) {
+  const auto before = measured({}, 1);
+  auto now = before;
   now.cases[0].rows[1].status = "unstable";
-  EXPECT_EQ(gate(now, before).verdict, Verdict::regressed);
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::regressed);
   now = before;
   now.cases[0].rows[1].numbers.erase("error_rms");
-  EXPECT_EQ(gate(now, before).verdict, Verdict::regressed);
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::regressed);
   now.cases.clear();
-  EXPECT_EQ(gate(now, before).verdict, Verdict::regressed);
-  EXPECT_EQ(gate(before, now).verdict, Verdict::inconclusive) << "nothing to compare is not a pass";
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::inconclusive) << "a case is not measured";
+  EXPECT_EQ(gate(before, now).verdict, GateVerdict::inconclusive) << "nothing to compare is not a pass";
 }
 
 TEST(Gate, LessWorkPassesAndAsksForANewBaseline) {
   auto now = measured({}, 2);
   now.cases[0].rows[0].numbers["rhs"] = 900;
   const auto report = gate(now, measured({}, 1));
-  EXPECT_EQ(report.verdict, Verdict::passed);
-  EXPECT_TRUE(mentions(report, "rhs", Verdict::better));
+  EXPECT_EQ(report.verdict, GateVerdict::passed);
+  EXPECT_TRUE(mentions(report, "rhs", GateVerdict::better));
 }
 
 TEST(Compare, IdenticalWorkIsNotASpeedup) {

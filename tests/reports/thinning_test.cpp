@@ -1,4 +1,4 @@
-#include "reports/html/thinning.hpp"
+#include "results/thinning.hpp"
 
 #include <gtest/gtest.h>
 

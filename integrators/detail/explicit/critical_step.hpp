@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 #include "integrators/detail/explicit/spectral_radius.hpp"
 #include "rhs/rhs.hpp"
 

@@ -2,7 +2,7 @@
 /// The last four stages of a ROCK4 step: they multiply the recurrence's polynomial by w and make the whole
 /// step of order four for nonlinear and time-dependent right-hand sides, not only for linear ones.
 
-#include "integrators/detail/explicit/three_term.hpp"
+#include "integrators/schemes/three_term.hpp"
 
 namespace superstep {
 

@@ -3,9 +3,9 @@
 
 #include "integrators/detail/error_norm.hpp"
 #include "integrators/detail/explicit/spectral_radius.hpp"
-#include "integrators/detail/explicit/stabilised_schemes.hpp"
-#include "integrators/detail/explicit/three_term.hpp"
 #include "integrators/registry.hpp"
+#include "integrators/schemes/stabilised_schemes.hpp"
+#include "integrators/schemes/three_term.hpp"
 
 namespace superstep {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "integrators/detail/explicit/super_step.hpp"
+#include "integrators/schemes/super_step.hpp"
 
 namespace superstep {
 

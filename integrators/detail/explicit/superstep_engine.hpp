@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/state_vector.hpp"
-#include "integrators/detail/explicit/three_term.hpp"
+#include "integrators/schemes/three_term.hpp"
 #include "rhs/rhs.hpp"
 
 namespace superstep {

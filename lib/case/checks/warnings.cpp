@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace superstep {
 namespace {
@@ -40,6 +41,24 @@ std::vector<std::string> range_warnings(const Scene& scene) {
       out.push_back(fmt::format("{} cluster(s) without a fixed {} are integrated; what enters them stays",
                                 field.floating_clusters, field.name));
   return out;
+}
+
+std::string implausible_sizes(const Scene& scene) {
+  constexpr double smallest = 1e-8, largest = 1;         // m
+  constexpr double usual_low = 1e-6, usual_high = 1e-2;  // m
+  if (!scene.packed) return {};
+  std::vector<double> radii = scene.packed->packing.radius;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  const double median = 2 * *middle;
+  if (median >= smallest && median <= largest) return {};
+  std::string likely;
+  for (const auto& [name, unit] : {std::pair{"m", 1.0}, {"mm", 1e-3}, {"um", 1e-6}}) {
+    const double other = median / scene.packed->length_unit * unit;
+    if (likely.empty() && other >= usual_low && other <= usual_high)
+      likely = fmt::format("; length_unit = \"{}\" would make it {:.3g} m", name, other);
+  }
+  return fmt::format("{}: the median diameter of the particles is {:.3g} m{}", scene.file, median, likely);
 }
 
 std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMaterials& field,

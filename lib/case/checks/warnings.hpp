@@ -13,6 +13,10 @@ namespace superstep {
 /// One sentence per finding; empty for a healthy scene.
 [[nodiscard]] std::vector<std::string> range_warnings(const Scene& scene);
 
+/// Why the sizes of a scene's particles are almost surely a slip in the unit of length, and which unit is
+/// likely; empty for sizes from 10 nm to 1 m and for scenes without particles.
+[[nodiscard]] std::string implausible_sizes(const Scene& scene);
+
 /// The same for densities, capacities, conductivities and grain boundaries of one field.
 [[nodiscard]] std::vector<std::string> material_warnings(const FieldKind& kind, const FieldMaterials& field,
                                                          const Materials& materials);

@@ -1,7 +1,7 @@
 #pragma once
 /// The tables of a case with moving particles.
 
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 #include "dynamics/model.hpp"
 #include "dynamics/particles.hpp"
 

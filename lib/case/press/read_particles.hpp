@@ -2,7 +2,7 @@
 /// [dynamics.particles]: who is in the press.
 
 #include "case/press/read_model.hpp"
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 
 namespace superstep::dynamics {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/suggest.hpp"
+#include "core/text/suggest.hpp"
 
 namespace superstep::dynamics {
 namespace {

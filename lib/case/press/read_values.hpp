@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/toml.hpp"
+#include "core/text/toml.hpp"
 #include "core/vec3.hpp"
 
 namespace superstep::dynamics {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "core/csv.hpp"
 #include "core/error.hpp"
+#include "core/text/csv.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/packing_builder.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/packing_builder.hpp"
 #include "packing/formats/text_row.hpp"

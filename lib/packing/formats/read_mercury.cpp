@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/packing_builder.hpp"
 #include "packing/formats/text_row.hpp"

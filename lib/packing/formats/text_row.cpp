@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/number.hpp"
-#include "core/text_file.hpp"
+#include "core/text/number.hpp"
+#include "core/text/text_file.hpp"
 
 namespace superstep {
 

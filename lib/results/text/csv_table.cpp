@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "core/number.hpp"
-#include "core/suggest.hpp"
-#include "core/text_file.hpp"
+#include "core/text/number.hpp"
+#include "core/text/suggest.hpp"
+#include "core/text/text_file.hpp"
 #include "results/text/csv_text.hpp"
 
 namespace superstep {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/options.hpp"
+#include "core/text/options.hpp"
 #include "results/text/html_text.hpp"
 
 namespace superstep {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/number.hpp"
-#include "core/options.hpp"
+#include "core/text/number.hpp"
+#include "core/text/options.hpp"
 #include "reports/chart/chart_packing.hpp"
 #include "reports/html/html_parts.hpp"
 #include "reports/html/sections/sections.hpp"

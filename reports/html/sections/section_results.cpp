@@ -7,6 +7,7 @@
 
 #include "reports/html/html_parts.hpp"
 #include "reports/html/sections/sections.hpp"
+#include "results/answer.hpp"
 #include "results/text/html_text.hpp"
 
 namespace superstep {
@@ -25,24 +26,10 @@ const BenchRow* cheapest_within(const BenchCase& one, double level) {
   return best;
 }
 
-const BenchRow* fastest(const BenchCase& one) {
-  const BenchRow* best = nullptr;
-  for (const auto& row : one.rows)
-    if (row.ok() && row.cpu_total && (!best || row.cpu_total->median < best->cpu_total->median)) best = &row;
-  return best;
-}
-
-std::string speedup_words(const BenchRow& row, const BenchCase& one) {
-  if (!row.speedup_total || row.spec == one.baseline) return "";
-  return fmt::format(", {} times as fast as {}", number_text(*row.speedup_total), one.baseline);
-}
-
 std::string summary_words(const BenchCase& one) {
   const auto ok = std::count_if(one.rows.begin(), one.rows.end(), [](const auto& row) { return row.ok(); });
   std::string out = fmt::format("{} of {} runs succeeded.", ok, one.rows.size());
-  if (const auto* row = fastest(one))
-    out += fmt::format(" Fastest at any accuracy: {} ({} s CPU{}).", row->spec,
-                       number_text(row->cpu_total->median), speedup_words(*row, one));
+  if (const std::string answer = answer_text(one); !answer.empty()) out = answer + " " + out;
   if (!one.reference) out += " No reference: how accurate the methods are was not measured.";
   return out;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "integrators/detail/explicit/super_step.hpp"
+#include "integrators/schemes/super_step.hpp"
 #include "reports/chart/chart.hpp"
 #include "reports/html/html_parts.hpp"
 #include "reports/html/sections/sections.hpp"

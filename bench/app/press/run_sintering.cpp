@@ -1,0 +1,224 @@
+/// superstep run: a press with moving particles.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/app/commands.hpp"
+#include "bench/app/press/sintering_files.hpp"
+#include "bench/host/interrupt.hpp"
+#include "bench/host/progress.hpp"
+#include "bench/output/output_folder.hpp"
+#include "bench/output/vtk_frames.hpp"
+#include "bench/press/sintering_figure.hpp"
+#include "bench/press/sintering_vtk.hpp"
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "core/stopwatch.hpp"
+#include "integrators/press/checkpoint.hpp"
+#include "integrators/registry.hpp"
+#include "integrators/spec_settings.hpp"
+
+namespace superstep {
+namespace {
+
+using dynamics::Motion;
+using dynamics::SinteringCase;
+
+/// The case with what the command line changes about it. "staggered" = the phi rule inside the iteration.
+SinteringCase with_integrator(SinteringCase one, const RunCommand& command, const std::string& spec) {
+  auto& stepping = one.stepping;
+  if (spec == "staggered")
+    stepping.thermal_integrator.clear();
+  else if (!spec.empty())
+    stepping.thermal_integrator = spec;
+  if (!command.tolerance) return one;
+  if (stepping.thermal_integrator.empty())
+    stepping.tolerance_position = stepping.tolerance_temperature = *command.tolerance;
+  else
+    stepping.thermal_integrator = with_tolerance(stepping.thermal_integrator, *command.tolerance);
+  return one;
+}
+
+void check(const std::vector<std::string>& specs) {
+  for (const auto& spec : specs)
+    if (spec != "staggered") (void)make_integrator(spec);
+}
+
+/// Starts the motion, or goes on from a checkpoint of the same particles.
+void begin(const SinteringCase& one, const RunCommand& command, Motion& motion) {
+  if (command.restart.empty()) return motion.start(one.state);
+  dynamics::Checkpoint stored = dynamics::read_checkpoint(command.restart);
+  const auto& here = one.particles;
+  if (stored.particles.id != here.id || stored.particles.radius != here.radius ||
+      stored.particles.mass != here.mass || stored.state.size() != here.size())
+    throw InputError(fmt::format("{}: holds other particles than {}; restart with the case that wrote it",
+                                 command.restart, one.file));
+  if (!(stored.state.time < one.t_end))
+    throw InputError(fmt::format("{}: its time {} s is not before t_end = {} s of {}; raise t_end",
+                                 command.restart, stored.state.time, one.t_end, one.file));
+  motion.resume(std::move(stored.state), stored.next_step, std::move(stored.history));
+}
+
+/// Writes DIR/checkpoint.bin whenever the given simulated time has passed.
+class Checkpoints {
+ public:
+  Checkpoints(std::string file, std::optional<double> interval)
+      : file_(std::move(file)), interval_(interval) {}
+
+  void step_done(const SinteringCase& one, const Motion& motion) {
+    if (!interval_) return;
+    const double due = std::floor(motion.state().time / *interval_);
+    if (due > written_) write(one, motion);
+    written_ = std::max(written_, due);
+  }
+  void started_at(double t) {
+    if (interval_) written_ = std::floor(t / *interval_);
+  }
+  void write(const SinteringCase& one, const Motion& motion) const {
+    write_file_atomically(file_, dynamics::checkpoint_image(
+                                     {one.particles, motion.state(), motion.next_step(), motion.history()}));
+  }
+  [[nodiscard]] bool wanted() const noexcept { return interval_.has_value(); }
+
+ private:
+  std::string file_;
+  std::optional<double> interval_;
+  double written_ = 0;
+};
+
+std::string snapshot_name(std::size_t number) {
+  return fmt::format("snapshots/particles_{:04}.csv", number);
+}
+
+/// Files of particles at the output times.
+class Snapshots {
+ public:
+  Snapshots(const SinteringCase& one, const RunCommand& command, const std::string& folder)
+      : one_(one), folder_(folder) {
+    remove_vtk_series(folder);  // old fields beside new ones mislead
+    if (command.vtk) vtk_.emplace(folder);
+  }
+  /// For ParaView, where the motion is now.
+  void add_frame(const Motion& motion) {
+    if (vtk_)
+      vtk_->add(sintering_particles(one_, motion.state()),
+                sintering_contacts(one_, motion.network(), motion.state()));
+  }
+  void write(std::size_t number, const Motion& motion, SinteringResult& result) const {
+    const double t = motion.state().time;
+    write_file_atomically(folder_ + "/" + snapshot_name(number), particles_csv(one_, motion.state()));
+    result.files.push_back(snapshot_name(number));
+    result.snapshots.push_back({snapshot_name(number), t, one_.model.schedule.at(t).wall_height(t)});
+  }
+  /// The last state reached, in final.csv, belongs to the series unless it is there already.
+  void finish(const Motion& motion, SinteringResult& result) const {
+    const double t = motion.state().time;
+    if (result.snapshots.empty() || result.snapshots.back().time != t)
+      result.snapshots.push_back({"final.csv", t, one_.model.schedule.at(t).wall_height(t)});
+    if (!vtk_) return;
+    for (auto& name : vtk_->finish()) result.files.push_back(std::move(name));
+  }
+
+ private:
+  const SinteringCase& one_;
+  std::string folder_;
+  std::optional<VtkFrames> vtk_;
+};
+
+/// Phases whose electrified walls found nobody to carry their current.
+void warn_without_path(const Motion& motion, const dynamics::Model& model,
+                       std::vector<std::string>& warnings) {
+  const auto& phase = model.schedule.phases()[static_cast<std::size_t>(motion.history().back().phase)];
+  if (model.electric.model == dynamics::CurrentModel::none || !(phase.lower || phase.upper)) return;
+  if (motion.state().time < phase.end || motion.connected_in_step() > 0) return;
+  warnings.push_back(fmt::format(
+      "at the end of phase '{}' (t = {:.4g} s) no particle has a path to an electrified wall: none "
+      "carries current",
+      phase.name, phase.end));
+}
+
+SinteringResult integrate(const SinteringCase& one, const RunCommand& command, const std::string& folder,
+                          Motion& motion, Progress& progress) {
+  SinteringResult result;
+  Checkpoints checkpoints(folder + "/checkpoint.bin", command.checkpoint);
+  Snapshots snapshots(one, command, folder);
+  motion.stop = &stop_flag();
+  const double cpu = process_cpu_seconds(), wall = wall_seconds();
+  begin(one, command, motion);
+  checkpoints.started_at(motion.state().time);
+  snapshots.add_frame(motion);
+  motion.after_step = [&] {
+    progress.reached(motion.state().time);
+    warn_without_path(motion, one.model, result.warnings);
+    checkpoints.step_done(one, motion);
+  };
+  for (std::size_t k = 0; k < one.output_times.size() && result.outcome.ok(); ++k) {
+    if (one.output_times[k] <= motion.state().time) continue;
+    result.outcome = motion.advance(one.output_times[k]);
+    if (!result.outcome.ok()) continue;
+    snapshots.add_frame(motion);
+    if (one.output_times.size() > 1) snapshots.write(k, motion, result);
+  }
+  result.cpu_stepping = process_cpu_seconds() - cpu;
+  result.wall_stepping = wall_seconds() - wall;
+  snapshots.finish(motion, result);
+  if (checkpoints.wanted() || result.outcome.status == Status::interrupted) {
+    checkpoints.write(one, motion);
+    result.files.emplace_back("checkpoint.bin");
+  }
+  return result;
+}
+
+int exit_code_of(const Outcome& outcome) {
+  return static_cast<int>(outcome.ok() ? ExitCode::ok : ExitCode::numerical);
+}
+
+/// One run into one folder.
+int run_into(const SinteringCase& one, const RunCommand& command, double cpu_setup,
+             const std::string& folder) {
+  require_writable_folder(folder);
+  const bool quiet = command.common.quiet;
+  Progress progress(!quiet && stderr_is_terminal());
+  Motion motion(one.model, one.particles, one.stepping);
+  progress.begin(one.name, one.t_end);
+  SinteringResult result = integrate(one, command, folder, motion, progress);
+  progress.end();
+  result.cpu_setup = cpu_setup;
+  // Whatever happened, what was reached is kept: the state and history of the last accepted step.
+  write_file_atomically(folder + "/history.csv", history_csv(one, motion.history()));
+  write_file_atomically(folder + "/history.svg", history_svg(one, motion.history()));
+  write_file_atomically(folder + "/final.csv", particles_csv(one, motion.state()));
+  for (const char* name : {"history.csv", "history.svg", "final.csv", "run.json"})
+    result.files.emplace_back(name);
+  const std::string json = sintering_json(one, motion, result, command.common.threads);
+  write_file_atomically(folder + "/run.json", json);
+  if (!quiet) warn(result.warnings);
+  if (command.common.json)
+    print_data(json);
+  else if (!quiet || !result.outcome.ok())
+    print_data(sintering_summary(one, motion, result, folder));
+  return exit_code_of(result.outcome);
+}
+
+}  // namespace
+
+int run_sintering(const RunCommand& command) {
+  check(command.integrators);
+  const double begin_setup = process_cpu_seconds();
+  const SinteringCase base = dynamics::load_sintering_case(command.case_file);
+  const double cpu_setup = process_cpu_seconds() - begin_setup;
+  catch_interrupts();
+  const std::string out = command.out.empty() ? default_output_folder(base.name) : command.out;
+  const auto specs = command.integrators.empty() ? std::vector<std::string>{""} : command.integrators;
+  int code = 0;
+  for (const auto& spec : specs) {
+    if (stop_flag()) break;
+    const std::string folder = specs.size() == 1 ? out : out + "/" + folder_name(spec);
+    code = std::max(code, run_into(with_integrator(base, command, spec), command, cpu_setup, folder));
+  }
+  return stop_flag() ? interrupted_exit_code : code;
+}
+
+}  // namespace superstep

@@ -1,0 +1,181 @@
+#include "bench/app/press/sintering_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "bench/host/machine.hpp"
+#include "core/stopwatch.hpp"
+#include "core/text/options.hpp"
+#include "results/results_json.hpp"
+#include "results/text/csv_text.hpp"
+
+namespace superstep {
+namespace {
+
+using dynamics::HistoryRow;
+using dynamics::Motion;
+using dynamics::SinteringCase;
+using Json = nlohmann::ordered_json;
+
+const std::string& phase_name(const SinteringCase& one, const HistoryRow& row) {
+  return one.model.schedule.phases()[static_cast<std::size_t>(row.phase)].name;
+}
+
+/// Last row of each phase that the run came into.
+std::vector<HistoryRow> phase_ends(std::span<const HistoryRow> history) {
+  std::vector<HistoryRow> ends;
+  for (std::size_t k = 0; k < history.size(); ++k)
+    if (k + 1 == history.size() || (k > 0 && history[k + 1].phase != history[k].phase))
+      ends.push_back(history[k]);
+  return ends;
+}
+
+struct Part {
+  const char* name;
+  double seconds;
+};
+
+std::vector<Part> parts_of(const dynamics::PartTimes& times, double total) {
+  const double known = times.contacts + times.forces + times.heat + times.current;
+  return {{"contacts", times.contacts},
+          {"forces", times.forces},
+          {"heat", times.heat},
+          {"current", times.current},
+          {"rest", std::max(total - known, 0.0)}};
+}
+
+RunRecord record_of(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
+                    int threads) {
+  const std::string& spec = one.stepping.thermal_integrator;
+  const bool plain = one.stepping.scheme == dynamics::SteppingSettings::Scheme::plain;
+  const auto* bridge = motion.bridge();
+  RunRecord record;
+  record.version = program_version();
+  record.revision = program_revision();
+  record.case_name = one.name;
+  record.title = one.title;
+  record.source = one.source;
+  record.integrator = plain ? "plain" : "staggered";
+  record.params = fmt::format("{}{}", spec.empty() ? "" : "thermal_integrator=", spec);
+  record.status = status_name(result.outcome.status);
+  record.reason = result.outcome.reason;
+  record.t_end = one.t_end;
+  record.t_reached = motion.state().time;
+  record.nodes = one.particles.size();
+  record.contacts = static_cast<std::size_t>(motion.history().back().contacts);
+  record.unknowns = 7 * one.particles.size();
+  record.steps = motion.history().size() - 1;
+  record.rejected = motion.rejected();
+  record.rhs = bridge ? bridge->sweeps() : motion.iterations();
+  record.max_stages = bridge ? bridge->max_stages() : 0;
+  record.threads = threads;
+  record.cpu_setup = result.cpu_setup;
+  record.cpu_stepping = result.cpu_stepping;
+  record.wall_stepping = result.wall_stepping;
+  record.peak_memory_mb = peak_memory_megabytes();
+  record.files = result.files;
+  record.warnings = result.warnings;
+  if (one.model.electric.model == dynamics::CurrentModel::none)
+    record.skips.push_back({"electric field", "the case has no [electric]"});
+  if (!(one.model.bond.stiffness > 0))
+    record.skips.push_back({"bonds", "the case has no [dynamics.bond], or its stiffness is 0"});
+  record.machine = machine_facts();
+  record.libraries = library_facts();
+  return record;
+}
+
+}  // namespace
+
+std::string history_csv(const SinteringCase& one, std::span<const HistoryRow> history) {
+  fmt::memory_buffer out;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(
+      to,
+      "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,"
+      "contacts,step,iterations,rejections\n");
+  for (const auto& row : history)
+    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, csv_cell(phase_name(one, row)),
+                   row.volume_fraction, row.mean_temperature, row.max_temperature, row.wall_force,
+                   row.kinetic_energy, row.bonds, row.contacts, row.step, row.iterations, row.rejections);
+  return fmt::to_string(out);
+}
+
+std::string particles_csv(const SinteringCase& one, const dynamics::State& state) {
+  const auto model = one.model.electric.model;
+  const bool electric = model != dynamics::CurrentModel::none;
+  fmt::memory_buffer out;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, "id,x,y,z,r{},temperature,vx,vy,vz\n",
+                 !electric                                    ? ""
+                 : model == dynamics::CurrentModel::averaging ? ",current"
+                                                              : ",potential");
+  std::vector<std::size_t> order(state.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto& id = one.particles.id;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+  for (const std::size_t i : order) {
+    const Vec3 &at = state.position[i], &v = state.velocity[i];
+    fmt::format_to(to, "{},{},{},{},{}", id[i], at.x, at.y, at.z, one.particles.radius[i]);
+    if (electric) fmt::format_to(to, ",{}", state.electric[i]);
+    fmt::format_to(to, ",{},{},{},{}\n", state.temperature[i], v.x, v.y, v.z);
+  }
+  return fmt::to_string(out);
+}
+
+std::string sintering_json(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
+                           int threads) {
+  Json json = Json::parse(run_json(record_of(one, motion, result, threads)));
+  Json phases = Json::array();
+  for (const auto& row : phase_ends(motion.history()))
+    phases.push_back({{"phase", phase_name(one, row)},
+                      {"time", row.time},
+                      {"volume_fraction", row.volume_fraction},
+                      {"mean_temperature", row.mean_temperature},
+                      {"max_temperature", row.max_temperature},
+                      {"wall_force", row.wall_force},
+                      {"bonds", row.bonds},
+                      {"contacts", row.contacts}});
+  Json parts;
+  for (const auto& part : parts_of(motion.network().times, result.cpu_stepping))
+    parts[part.name] = part.seconds;
+  Json snapshots = Json::array();
+  for (const auto& snapshot : result.snapshots)
+    snapshots.push_back(
+        {{"file", snapshot.file}, {"time", snapshot.time}, {"upper_wall", snapshot.upper_wall}});
+  const Vec3 &low = one.model.box.min, &high = one.model.box.max;
+  json["motion"] = {{"box", {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}}},
+                    {"snapshots", snapshots},
+                    {"phase_ends", phases},
+                    {"iterations", motion.iterations()},
+                    {"neighbour_lists", motion.network().contacts().list().builds()},
+                    {"cpu_parts_s", parts}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string sintering_summary(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
+                              const std::string& folder) {
+  std::string text;
+  const std::string scheme =
+      one.stepping.scheme == dynamics::SteppingSettings::Scheme::plain ? "plain" : "staggered";
+  text += fmt::format("{}{}{}: {}{}{}\n", scheme, one.stepping.thermal_integrator.empty() ? "" : " + ",
+                      one.stepping.thermal_integrator, status_name(result.outcome.status),
+                      result.outcome.ok() ? "" : ": ", result.outcome.reason);
+  text += fmt::format("{:<12} {:>8} {:>9} {:>8} {:>8} {:>11} {:>7} {:>9}\n", "phase", "end [s]", "fraction",
+                      "mean [K]", "max [K]", "wall [N]", "bonds", "contacts");
+  for (const auto& row : phase_ends(motion.history()))
+    text += fmt::format("{:<12} {:>8.4g} {:>9.4f} {:>8.1f} {:>8.1f} {:>11.4g} {:>7} {:>9}\n",
+                        phase_name(one, row), row.time, row.volume_fraction, row.mean_temperature,
+                        row.max_temperature, row.wall_force, row.bonds, row.contacts);
+  text += fmt::format("{} steps, {} restarts, {} iterations, {:.3g} s CPU:", motion.history().size() - 1,
+                      motion.rejected(), motion.iterations(), result.cpu_stepping);
+  for (const auto& part : parts_of(motion.network().times, result.cpu_stepping))
+    text += fmt::format(" {} {:.0f} %", part.name,
+                        result.cpu_stepping > 0 ? 100 * part.seconds / result.cpu_stepping : 0.0);
+  return text + fmt::format("\n{}\n", folder);
+}
+
+}  // namespace superstep

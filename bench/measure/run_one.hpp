@@ -1,0 +1,56 @@
+#pragma once
+/// One integrator over one scene, from preparation to the end, with its costs.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/host/progress.hpp"
+#include "bench/measure/probe_set.hpp"
+#include "case/scene.hpp"
+#include "integrators/integrator.hpp"
+#include "integrators/spans.hpp"
+
+namespace superstep {
+
+/// What a run does besides integrating; nothing, when it is being timed.
+struct RunRequest {
+  bool track_inflow = false;
+  std::vector<double> spans = {};           ///< [fields] of the scene; empty: the run finds them
+  const ProbeSet* probes = nullptr;         ///< record these at step ends
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: stop at the next step end
+  Progress* progress = nullptr;
+  /// Called at every output time with its number, the time [s] and the state.
+  std::function<void(std::size_t output, double t, std::span<const double> state)> observe = {};
+};
+
+struct RunResult {
+  Outcome outcome;
+  Statistics statistics;
+  std::uint64_t sweeps = 0, jacobians = 0;  ///< of the right-hand side, preparation included
+  std::uint64_t potential_solves = 0;       ///< steady potentials solved for while integrating
+  std::optional<double> settled_at;         ///< s, when the potential stopped being stepped
+  std::vector<double> spans;                ///< [fields] that tolerances referred to; empty: nobody asked
+  double cpu_pilot = 0;                     ///< s, of the pilot run that found them
+  double cpu_prepare = 0, wall_prepare = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
+  std::string choice;    ///< what the method chose by itself and why; may be empty
+  double t_reached = 0;  ///< s
+  ProbeHistory history;  ///< begins with the initial state; empty unless probes were asked for
+};
+
+/// Builds the method anew and runs it. What the method cannot do or fails to do is an outcome; only a wrong
+/// SPEC throws. Stepping begins with `start`: estimates of the spectrum and the first step size are part of
+/// it.
+[[nodiscard]] RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest& request);
+
+/// Spans of the scene's fields, by a pilot run where declared values do not say them.
+[[nodiscard]] Spans scene_spans(const Scene& scene, const std::atomic<bool>* stop = nullptr);
+
+/// The scene's description of a field of the right-hand side, by name.
+[[nodiscard]] const FieldScene& scene_field(const Scene& scene, const std::string& name);
+
+}  // namespace superstep

@@ -1,0 +1,39 @@
+#include "case/content_hash.hpp"
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "case/read_packing_scene.hpp"
+#include "core/hash.hpp"
+#include "core/text/text_file.hpp"
+
+namespace superstep {
+namespace {
+
+bool changes_no_answer(std::string_view path) {
+  constexpr std::array<std::string_view, 2> values = {"title", "source"};
+  constexpr std::array<std::string_view, 2> tables = {"bench", "published"};
+  for (const auto value : values)
+    if (path == value) return true;
+  for (const auto table : tables)
+    if (path == table || (path.starts_with(table) && path[table.size()] == '.')) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string content_hash(const TomlTable& root) {
+  ContentHash hash;
+  for (const auto& leaf : root.leaves()) {
+    if (changes_no_answer(leaf.path)) continue;
+    hash.add(leaf.path).add(leaf.content);
+    if (leaf.text.empty()) continue;
+    const std::string file = beside_case(root.file(), leaf.text);
+    std::error_code none;
+    if (std::filesystem::is_regular_file(file, none)) hash.add(read_text_file(file));
+  }
+  return hash.text();
+}
+
+}  // namespace superstep

@@ -1,0 +1,55 @@
+#include "core/text/suggest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace superstep {
+namespace {
+
+/// Insertions, deletions, substitutions and swaps of neighbours that turn a into b, no piece edited twice.
+/// Source: "optimal string alignment", a restriction of Damerau (1964), doi:10.1145/363958.363994.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  const std::size_t width = b.size() + 1;
+  std::vector<std::size_t> before(width), last(width), row(width);  // rows i-2, i-1 and i
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
+  constexpr std::size_t longest = 200;  // hostile names must not cost quadratic time
+  if (name.size() > longest) return {};
+  std::string best;
+  std::size_t best_distance = 1 + std::max<std::size_t>(1, name.size() / 3);
+  for (const auto& candidate : candidates) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string> candidates) {
+  const std::string near = nearest_name(name, candidates);
+  if (!near.empty()) return fmt::format("; did you mean '{}'?", near);
+  return candidates.empty() ? std::string{} : fmt::format("; valid are: {}", fmt::join(candidates, ", "));
+}
+
+}  // namespace superstep

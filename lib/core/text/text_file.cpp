@@ -1,0 +1,70 @@
+#include "core/text/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "core/error.hpp"
+
+namespace superstep {
+
+std::string read_text_file(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status))
+    throw InputError(
+        fmt::format("{}: no such file; check the path (relative paths start at the case file)", path));
+  if (std::filesystem::is_directory(status))
+    throw InputError(fmt::format("{}: is a directory; name a file in it", path));
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  std::string text;
+  const auto size = std::filesystem::file_size(path, ignored);
+  if (!ignored) text.reserve(size);
+  constexpr std::size_t block = std::size_t{1} << 20;
+  std::string buffer(block, '\0');
+  while (stream.read(buffer.data(), static_cast<std::streamsize>(block)) || stream.gcount() > 0)
+    text.append(buffer, 0, static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (text.find('\0') != std::string::npos)
+    throw InputError(fmt::format("{}: holds NUL bytes, so it is binary; a text file is expected", path));
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError(fmt::format("{}: is empty; a text file with content is expected", path));
+  return text;
+}
+
+bool LineReader::next() noexcept {
+  if (rest_.empty()) return false;
+  const std::size_t end = rest_.find('\n');
+  line_ = rest_.substr(0, end);
+  rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
+  if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
+  ++number_;
+  return true;
+}
+
+std::string_view trimmed(std::string_view text) noexcept {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::string quoted(std::string_view value) {
+  constexpr std::size_t longest = 60;
+  std::string out = "'";
+  for (const char c : value.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F)
+      out += fmt::format("\\x{:02x}", byte);
+    else
+      out += c;
+  }
+  out += value.size() > longest ? "...'" : "'";
+  return out;
+}
+
+}  // namespace superstep

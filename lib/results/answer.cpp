@@ -1,0 +1,88 @@
+#include "results/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace superstep {
+namespace {
+
+const BenchRow* fastest_within(const BenchCase& one, double level) {
+  const BenchRow* best = nullptr;
+  for (const auto& row : one.rows) {
+    const auto error = relative_error(row);
+    if (!row.ok() || !error || *error > level || !prepared_cpu(row)) continue;
+    if (!best || *prepared_cpu(row) < *prepared_cpu(*best)) best = &row;
+  }
+  return best;
+}
+
+bool within(const BenchRow& row, double level) {
+  const auto error = relative_error(row);
+  return row.ok() && error && *error <= level;
+}
+
+/// The fastest repetition of one is no slower than the slowest of the other.
+bool cannot_be_told_apart(const BenchRow& best, const BenchRow& other) {
+  if (!best.cpu_stepping || !other.cpu_stepping) return false;
+  const double own = best.cpu_prepare.value_or(0), its = other.cpu_prepare.value_or(0);
+  return own + best.cpu_stepping->max >= its + other.cpu_stepping->min;
+}
+
+const BenchRow* cvode_with_klu(const BenchCase& one) {
+  const BenchRow* best = nullptr;
+  for (const auto& row : one.rows)
+    if (row.integrator == "cvode" && row.params.find("linsol=klu") != std::string::npos &&
+        prepared_cpu(row) && (!best || *prepared_cpu(row) < *prepared_cpu(*best)))
+      best = &row;
+  return best;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    out += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
+  return out;
+}
+
+}  // namespace
+
+Number prepared_cpu(const BenchRow& row) {
+  if (!row.cpu_stepping) return std::nullopt;
+  return row.cpu_prepare.value_or(0) + row.cpu_stepping->median;
+}
+
+Number relative_error(const BenchRow& row) {
+  Number error = row.errors.relative_rms;
+  if (error && row.potential && row.potential->relative_rms)
+    error = std::max(*error, *row.potential->relative_rms);
+  return error;
+}
+
+std::string answer_text(const BenchCase& one) {
+  for (const double level : {1e-3, 1e-2, 1e-1}) {
+    const BenchRow* best = fastest_within(one, level);
+    if (!best) continue;
+    std::string out = fmt::format("For an error below {:g} of the span: {} ({:.3g} s of CPU)", level,
+                                  best->spec, *prepared_cpu(*best));
+    std::vector<std::string> slower, tied;
+    const auto compare = [&](const BenchRow& row) {
+      if (&row == best || !(*prepared_cpu(*best) > 0)) return;
+      const double ratio = *prepared_cpu(row) / *prepared_cpu(*best);
+      if (ratio > 1) slower.push_back(fmt::format("{:.3g} times faster than {}", ratio, row.spec));
+    };
+    const BenchRow* klu = cvode_with_klu(one);
+    for (const auto& row : one.rows)
+      if (row.spec == one.baseline && prepared_cpu(row)) compare(row);
+    if (klu && klu->spec != one.baseline) compare(*klu);
+    for (const auto& row : one.rows)
+      if (&row != best && within(row, level) && cannot_be_told_apart(*best, row)) tied.push_back(row.spec);
+    if (!slower.empty()) out += ", " + joined(slower);
+    if (!tied.empty()) out += fmt::format("; {} cannot be told apart from it in this run", joined(tied));
+    return out + ".";
+  }
+  return {};
+}
+
+}  // namespace superstep

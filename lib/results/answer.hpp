@@ -1,0 +1,21 @@
+#pragma once
+/// The question of the program, answered from the rows of one case.
+
+#include <string>
+
+#include "results/results.hpp"
+
+namespace superstep {
+
+/// Median CPU time of preparation and stepping together [s]; empty where it was not measured.
+[[nodiscard]] Number prepared_cpu(const BenchRow& row);
+
+/// Largest rms error of a row over its fields, relative to the span of each; empty where it was not measured.
+[[nodiscard]] Number relative_error(const BenchRow& row);
+
+/// One sentence: the fastest method with an error below 1e-3 of the span, else below 1e-2 or 1e-1, and how
+/// much faster it is than the baseline and than CVODE with KLU. Says which methods cannot be told apart from
+/// it. Empty where errors or times were not measured.
+[[nodiscard]] std::string answer_text(const BenchCase& one);
+
+}  // namespace superstep

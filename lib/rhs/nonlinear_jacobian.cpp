@@ -1,0 +1,109 @@
+/// The Jacobian of a nonlinear right-hand side, and the bounds of its spectrum that follow from it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "rhs/nonlinear_rhs.hpp"
+
+namespace superstep {
+namespace {
+
+const SlotConductivity* pointer_to(const std::optional<SlotConductivity>& value) noexcept {
+  return value ? &*value : nullptr;
+}
+
+}  // namespace
+
+/// Every contribution to df/dy, the same ones in the same order at every state. The steady potential counts
+/// as given: what it owes to the temperatures is left out, which costs Newton an iteration and no accuracy.
+template <class Add>
+void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add add) {
+  update_conductances(t, y.data() + temperature_offset_);
+  const std::size_t rows = thermal_->size();
+  const auto add_temperature = [&](std::size_t row, std::size_t slot, double value) {
+    if (slot < rows) add(row, temperature_offset_ + slot, value);
+  };
+  const auto thermal_row = [&](std::size_t row, std::size_t slot, double value) {
+    add_temperature(temperature_offset_ + row, slot, value);
+  };
+  if (thermal_conductivity_ || electric_conductivity_) {
+    const auto slots = temperature_slots_->on_slots(t, y.data() + temperature_offset_);
+    if (thermal_conductivity_) thermal_conductivity_->update_slopes(slots);
+    if (electric_conductivity_) electric_conductivity_->update_slopes(slots);
+  }
+  if (steps_potential()) {
+    electric_->jacobian(y, add);
+    if (electric_law_)
+      electric_law_->jacobian(*electric_conductivity_, *electric_, electric_->ghost_values(t), y,
+                              add_temperature);
+  }
+  thermal_->jacobian(temperature_of(y), [&](std::size_t row, std::size_t column, double value) {
+    add(temperature_offset_ + row, temperature_offset_ + column, value);
+  });
+  if (thermal_law_)
+    thermal_law_->jacobian(*thermal_conductivity_, *thermal_, thermal_->ghost_values(t), temperature_of(y),
+                           thermal_row);
+  if (!joule_) return;
+  const auto potential = steady_ ? steady_->on_slots(t, pointer_to(electric_conductivity_))
+                                 : potential_slots_->on_slots(t, y.data());
+  const auto add_potential = [&](std::size_t row, std::size_t slot, double value) {
+    if (!steps_potential()) return;
+    const auto entry = row_of_potential_slot_[slot];
+    if (entry >= 0) add(temperature_offset_ + row, static_cast<std::size_t>(entry), value);
+  };
+  joule_->jacobian(potential, pointer_to(electric_conductivity_), add_potential, thermal_row);
+}
+
+SparsePattern NonlinearRhs::build_pattern() {
+  const std::vector<double> state(size(), 1.0);
+  return assembly_.build(size(), [&](auto add) { enumerate_jacobian(0, state, add); });
+}
+
+void NonlinearRhs::do_jacobian(double t, std::span<const double> y, std::span<double> values) {
+  (void)pattern();
+  assembly_.fill(values, [&](auto add) { enumerate_jacobian(t, y, add); });
+}
+
+double NonlinearRhs::spectral_bound(double t, std::span<const double> y) {
+  if (varies()) return scaled_gershgorin(t, y);
+  const double thermal = thermal_bound_ + radius_beyond_blocks(t, y);
+  return steps_potential() ? std::max(thermal, electric_bound_) : thermal;
+}
+
+double NonlinearRhs::radius_beyond_blocks(double /*t*/, std::span<const double> y) const {
+  return radiates_ ? thermal_->radiation_slope(temperature_of(y)) : 0;
+}
+
+/// Row sums of |J| after scaling the temperatures by theta bound its spectrum for every theta. With the
+/// largest sums within the fields (a, c) and across (b, e), the theta with a + theta b = c + e/theta balances
+/// the two fields. Its two products are all that is needed: up = theta b and down = e/theta are the roots of
+/// up - down = c - a and up down = b e, each in the form without cancellation; theta itself overflows where a
+/// cross term vanishes.
+double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
+  auto &own = own_sum_, &cross = cross_sum_;
+  own.assign(size(), 0.0);
+  cross.assign(size(), 0.0);
+  enumerate_jacobian(t, y, [&](std::size_t row, std::size_t column, double value) {
+    const bool same = (row < temperature_offset_) == (column < temperature_offset_);
+    (same ? own : cross)[row] += std::abs(value);
+  });
+  double a = 0, b = 0, c = 0, e = 0;
+  for (std::size_t i = 0; i < temperature_offset_; ++i) {
+    a = std::max(a, own[i]);
+    b = std::max(b, cross[i]);
+  }
+  for (std::size_t i = temperature_offset_; i < size(); ++i) {
+    c = std::max(c, own[i]);
+    e = std::max(e, cross[i]);
+  }
+  if (b == 0 || e == 0) return std::max(a, c);  // triangular: the cross terms do not reach the spectrum
+  const double mean = std::sqrt(b) * std::sqrt(e), half = 0.5 * (c - a);  // sqrt(b e) could underflow
+  const double larger = std::abs(half) + std::hypot(half, mean), smaller = mean * (mean / larger);
+  const double up = half > 0 ? larger : smaller, down = half > 0 ? smaller : larger;
+  double bound = 0;
+  for (std::size_t i = 0; i < size(); ++i)
+    bound = std::max(bound, own[i] + (i < temperature_offset_ ? up * (cross[i] / b) : down * (cross[i] / e)));
+  return bound;
+}
+
+}  // namespace superstep

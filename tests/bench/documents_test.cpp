@@ -1,0 +1,134 @@
+/// What documents and help texts show works as it is printed: commands are understood, cases load and run.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/app/cli.hpp"
+#include "bench/measure/run_one.hpp"
+#include "case/scene.hpp"
+#include "core/error.hpp"
+#include "temporary_case.hpp"
+
+namespace superstep {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = SUPERSTEP_SOURCE_DIR;
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> out;
+  for (const char* folder : {"", "bench", "cases", "integrators", "lib", "reports", "reports/baselines",
+                             "reports/records", "tests"})
+    for (const auto& entry : fs::directory_iterator(root / folder))
+      if (entry.path().extension() == ".md") out.push_back(entry.path());
+  return out;
+}
+
+/// Fenced blocks of a language.
+std::vector<std::string> blocks(const fs::path& file, const std::string& language) {
+  std::ifstream stream(file);
+  std::vector<std::string> out;
+  bool inside = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("```")) {
+      inside = !inside && line == "```" + language;
+      if (inside) out.emplace_back();
+    } else if (inside) {
+      out.back() += line + "\n";
+    }
+  }
+  return out;
+}
+
+/// Every `superstep ...` of a shell text, one command a line, without what a shell does with it.
+std::vector<std::string> commands(std::string text) {
+  text = std::regex_replace(text, std::regex("\\\\\n"), " ");
+  std::vector<std::string> out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    line = line.substr(0, line.find(" #"));
+    line = line.substr(0, line.find("   ("));
+    if (line.find('$') != std::string::npos || line.find("<(") != std::string::npos) continue;
+    line = std::regex_replace(line, std::regex("&&|\\|"), "\n");
+    std::istringstream parts(line);
+    for (std::string part; std::getline(parts, part);) {
+      static const std::regex program("^ *(build/release/bin/)?superstep ");
+      std::smatch hit;
+      if (std::regex_search(part, hit, program)) out.push_back(hit.suffix());
+    }
+  }
+  return out;
+}
+
+void expect_understood(const std::string& command, const std::string& where) {
+  std::istringstream words(command);
+  const std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
+  try {
+    (void)parse_command_line(arguments);
+  } catch (const UsageError& error) {
+    ADD_FAILURE() << where << ": superstep " << command << ": " << error.what();
+  }
+}
+
+TEST(Documents, EveryCommandIsUnderstood) {
+  std::size_t seen = 0;
+  for (const auto& file : documents())
+    for (const auto& block : blocks(file, "sh"))
+      for (const auto& command : commands(block)) {
+        expect_understood(command, file.string());
+        ++seen;
+      }
+  EXPECT_GT(seen, 15U);
+}
+
+TEST(Documents, EveryExampleOfTheHelpIsUnderstood) {
+  std::size_t seen = 0;
+  for (const char* name :
+       {"run", "bench", "info", "stability", "gate", "compare", "pack", "report", "list"}) {
+    const auto help = parse_command_line({name, "--help"});
+    for (const auto& command : commands(std::get<ShowText>(help).text)) {
+      expect_understood(command, name);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 12U);
+}
+
+/// 4 x 4 x 8 spheres of 1 mm that overlap by 5 %.
+std::string lattice() {
+  std::string out = "id,x,y,z,radius\n";
+  for (int k = 0; k < 128; ++k)
+    out += fmt::format("{},{},{},{},5e-4\n", k, 9.5e-4 * (k % 4), 9.5e-4 * (k / 4 % 4), 9.5e-4 * (k / 16));
+  return out;
+}
+
+TEST(Documents, EveryCaseTheyShowRunsAsItStands) {
+  std::size_t seen = 0;
+  for (const auto& file : documents())
+    for (const auto& block : blocks(file, "toml")) {
+      if (block.find("t_end") == std::string::npos) continue;
+      const test::CaseFolder folder;
+      folder.write("my_packing.csv", lattice());
+      folder.write("nodes.csv", "id,capacity,source,initial,fixed\n1,1,0,0,\n2,1,0,0,5\n");
+      folder.write("edges.csv", "i,j,conductance\n1,2,1\n");
+      folder.write("my_case.toml", block);
+      const Scene scene = load_scene(folder.file("my_case.toml"));
+      const RunResult run = run_one(scene, "auto:rtol=1e-2", {});
+      EXPECT_TRUE(run.outcome.ok()) << file << ": " << run.outcome.reason << "\n" << block;
+      ++seen;
+    }
+  EXPECT_GE(seen, 3U);
+}
+
+}  // namespace
+}  // namespace superstep
