@@ -95,10 +95,10 @@ class Automatic final : public Method {
     const double explicit_cost = best->sweeps, implicit_cost = sweeps_of_cvode(rhs, t_rho, third);
     const std::string spec =
         implicit_cost < explicit_cost ? fmt::format("cvode:rtol={:.3g}", third) : best->spec;
-    choice_ = fmt::format(
-        "{}: t rho = {:.3g}, {} network of {} unknowns: about {:.0f} sweeps explicitly, the work of "
-        "{:.0f} implicitly",
-        spec, t_rho, exact ? "exactly solvable" : "nonlinear", rhs.size(), explicit_cost, implicit_cost);
+    const bool implicit = implicit_cost < explicit_cost;
+    choice_ = fmt::format("{}, because it costs about {:.0f} sweeps over the network; {} would cost the work of {:.0f}",
+                          spec, implicit ? implicit_cost : explicit_cost, implicit ? best->spec : "cvode",
+                          implicit ? explicit_cost : implicit_cost);
     return spec;
   }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "bench/app/cli/cli_values.hpp"
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/app/loaded_case.hpp"
 #include "bench/app/observation_files.hpp"
@@ -62,6 +64,42 @@ BenchReport empty_report(const BenchCommand& command) {
           .cases = {}};
 }
 
+int repetitions_of(const Arguments& values, int fallback) {
+  if (!values.repetitions) return fallback;
+  return static_cast<int>(parse_integer_option("--repetitions", *values.repetitions, 1, 10000));
+}
+
+Command make_work_precision(const Arguments& values) {
+  if (values.json) throw UsageError("bench: --work-precision writes CSV and a table; leave --json out");
+  if (values.reference == "none")
+    throw UsageError("bench: --work-precision needs a reference; leave --reference none out");
+  WorkPrecisionCommand command;
+  command.common = common_options(values);
+  command.case_files = values.cases;
+  command.out = values.out;
+  command.report = values.report;
+  command.options.integrators = values.integrators;
+  command.options.reference = values.reference;
+  command.options.use_cache = !values.no_cache;
+  command.options.repetitions = repetitions_of(values, 1);
+  return command;
+}
+
+Command from_line(const Arguments& values) {
+  if (values.cases.empty()) throw UsageError("bench: a case file is missing; see superstep bench --help");
+  if (values.work_precision) return make_work_precision(values);
+  BenchCommand command;
+  command.common = common_options(values);
+  command.case_files = values.cases;
+  command.out = values.out;
+  command.report = values.report;
+  command.harness.integrators = values.integrators;
+  if (!values.reference.empty()) command.harness.reference = values.reference;
+  command.harness.use_cache = !values.no_cache;
+  command.harness.repetitions = repetitions_of(values, command.harness.repetitions);
+  return command;
+}
+
 }  // namespace
 
 int execute(const BenchCommand& command) {
@@ -103,6 +141,33 @@ int execute(const BenchCommand& command) {
   }
   if (report.interrupted) return interrupted_exit_code;
   return static_cast<int>(exit_code(report));
+}
+
+CommandEntry bench_command() {
+  return {
+      .name = "bench",
+      .does = "measure integrators on a case: CPU time, speedup, error",
+      .examples =
+          "  superstep bench cases/nial_thermal.toml\n"
+          "  superstep bench cases/nial_thermal.toml --integrator sts:n=20,nu=1e-3 --repetitions 5\n"
+          "  superstep bench cases/nial_thermal.toml --work-precision\n"
+          "  superstep bench cases/nial_thermal.toml --reference forward-euler --json",
+      .positional = "CASE",
+      .positional_meaning = "case files (TOML)",
+      .options =
+          {integrator_option("those of the case, else every family"),
+           {"--repetitions", &Arguments::repetitions,
+            "timed runs of each integrator (default 3; 1 with --work-precision)", "N"},
+           {"--out", &Arguments::out, "folder for results.csv and results.json", "DIR"},
+           {"--reference", &Arguments::reference,
+            "method that errors are measured against, or none (default: the exponential where it is exact, "
+            "else CVODE; each checked by a method of another family)",
+            "SPEC"},
+           {"--work-precision", &Arguments::work_precision,
+            "sweep every method over tolerances and steps; say who is fastest at each error", ""},
+           {"--report", &Arguments::report, "write report.html beside the results as well", ""},
+           {"--no-cache", &Arguments::no_cache, "neither read nor write cached references", ""}},
+      .make = from_line};
 }
 
 }  // namespace superstep

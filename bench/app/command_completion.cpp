@@ -1,12 +1,22 @@
 /// superstep completion: what a shell needs to complete our commands and options.
 
-#include "bench/app/cli_arguments.hpp"
+#include "bench/app/cli/cli_arguments.hpp"
+#include "bench/app/cli/command_entry.hpp"
+#include "bench/app/cli/completion.hpp"
 #include "bench/app/commands.hpp"
-#include "bench/app/completion.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
+
+namespace {
+
+Command from_line(const Arguments& values) {
+  if (values.cases.empty()) throw UsageError("completion: the shell is missing: bash, zsh or fish");
+  return CompletionCommand{.common = common_options(values), .shell = single_case(values, "completion")};
+}
+
+}  // namespace
 
 int execute(const CompletionCommand& command) {
   std::vector<std::string> methods;
@@ -19,6 +29,19 @@ int execute(const CompletionCommand& command) {
     }
   print_data(completion_script(command.shell, commands));
   return static_cast<int>(ExitCode::ok);
+}
+
+CommandEntry completion_command() {
+  return {.name = "completion",
+          .does = "completion script for a shell",
+          .examples =
+              "  source <(superstep completion bash)\n"
+              "  source <(superstep completion zsh)\n"
+              "  superstep completion fish | source",
+          .positional = "SHELL",
+          .positional_meaning = "bash, zsh or fish",
+          .options = {},
+          .make = from_line};
 }
 
 }  // namespace superstep

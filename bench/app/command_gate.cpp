@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
@@ -16,6 +17,22 @@ bool is_adaptive(const std::string& name) {
   for (const auto& entry : integrators())
     if (entry.name == name) return entry.adaptive;
   return false;
+}
+
+Command gate_from_line(const Arguments& values) {
+  if (values.cases.size() != 1)
+    throw UsageError("gate: give one results.json, or the folder that holds it; see superstep gate --help");
+  if (values.baseline.empty())
+    throw UsageError("gate: --baseline FILE is missing; see superstep gate --help");
+  return GateCommand{common_options(values), values.cases.front(), values.baseline};
+}
+
+Command compare_from_line(const Arguments& values) {
+  if (values.cases.size() != 2)
+    throw UsageError(
+        "compare: give two results.json or folders that hold them; see superstep compare --help");
+  if (values.json) throw UsageError("compare: writes a Markdown table; leave --json out");
+  return CompareCommand{common_options(values), values.cases[0], values.cases[1]};
 }
 
 }  // namespace
@@ -38,6 +55,28 @@ int execute(const CompareCommand& command) {
   const auto rows = compare(a, b);
   print_data(compare_markdown(a, b, rows));
   return static_cast<int>(rows.empty() ? ExitCode::inconclusive : ExitCode::ok);
+}
+
+CommandEntry gate_command() {
+  return {.name = "gate",
+          .does = "is this build as good as a recorded one? exit 0 yes, 5 no, 6 cannot tell",
+          .examples =
+              "  superstep bench cases/nial_thermal.toml --repetitions 11 --out result\n"
+              "  superstep gate result --baseline reports/baselines/nial_thermal.json",
+          .positional = "RESULTS",
+          .positional_meaning = "results.json of superstep bench, or its folder",
+          .options = {{"--baseline", &Arguments::baseline, "the recorded results.json", "FILE"}},
+          .make = gate_from_line};
+}
+
+CommandEntry compare_command() {
+  return {.name = "compare",
+          .does = "two sets of results side by side, with intervals",
+          .examples = "  superstep compare before after",
+          .positional = "RESULTS",
+          .positional_meaning = "results.json of superstep bench, or their folders",
+          .options = {},
+          .make = compare_from_line};
 }
 
 }  // namespace superstep

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "contact/neck.hpp"
 #include "core/error.hpp"
@@ -97,6 +98,10 @@ std::string list_json(const std::vector<FoundCase>& cases) {
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Command from_line(const Arguments& values) {
+  return ListCommand{common_options(values)};
+}
+
 }  // namespace
 
 int execute(const ListCommand& command) {
@@ -108,6 +113,16 @@ int execute(const ListCommand& command) {
 int execute(const ShowText& command) {
   print_data(command.text);
   return 0;
+}
+
+CommandEntry list_command() {
+  return {.name = "list",
+          .does = "integrators with their keys, neck laws and cases",
+          .examples = "  superstep list\n  superstep list --json",
+          .positional = "",
+          .positional_meaning = "",
+          .options = {},
+          .make = from_line};
 }
 
 }  // namespace superstep

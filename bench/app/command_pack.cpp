@@ -2,18 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/cli/cli_values.hpp"
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/host/progress.hpp"
 #include "bench/output/output_folder.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/text/suggest.hpp"
+#include "core/text/text_file.hpp"
 #include "packing/read.hpp"
 
 namespace superstep {
 namespace {
+
+constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
 
 std::string report_text(const Packing& packing, const PackReport& report) {
   return fmt::format(
@@ -32,6 +39,47 @@ std::string report_json(const Packing& packing, const PackReport& report) {
                                       {"largest_overlap", report.largest_overlap},
                                       {"relaxation_steps", report.relaxation_steps}};
   return out.dump(2) + "\n";
+}
+
+Container container_of(const Arguments& values, double unit) {
+  const auto length = [&](const char* option, const std::string& text) {
+    if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a {}", option, values.container));
+    return unit * parse_positive_option(option, text);
+  };
+  Container container;
+  container.height = length("--height", values.height);
+  if (values.container == "cylinder") {
+    if (!values.width.empty() || !values.depth.empty())
+      throw UsageError("pack: --width and --depth belong to a box; a cylinder has --diameter");
+    container.diameter = length("--diameter", values.diameter);
+  } else if (values.container == "box") {
+    if (!values.diameter.empty())
+      throw UsageError("pack: --diameter belongs to a cylinder; a box has --width, --depth");
+    container.shape = Container::Shape::box;
+    container.width = length("--width", values.width);
+    container.depth = length("--depth", values.depth);
+  } else {
+    const std::vector<std::string> shapes = {"cylinder", "box"};
+    throw UsageError(fmt::format("--container {} is not valid{}", quoted(values.container),
+                                 suggestion(values.container, shapes)));
+  }
+  return container;
+}
+
+Command from_line(const Arguments& values) {
+  PackCommand command{.common = common_options(values), .settings = {}, .file = values.file};
+  if (command.file.empty()) throw UsageError("pack: -o FILE is missing; see superstep pack --help");
+  if (values.sizes.empty()) throw UsageError("pack: --sizes is missing; see superstep pack --help");
+  const double unit = parse_length_unit(values.length_unit);
+  PackSettings& settings = command.settings;
+  settings.container = container_of(values, unit);
+  settings.sizes = parse_sizes(values.sizes, unit);
+  if (!values.relative_density.empty())
+    settings.relative_density = parse_positive_option("--relative-density", values.relative_density);
+  if (!values.count.empty())
+    settings.count = static_cast<std::size_t>(parse_integer_option("--count", values.count, 1, unlimited));
+  settings.seed = static_cast<std::uint64_t>(parse_integer_option("--seed", values.seed, 0, unlimited));
+  return command;
 }
 
 }  // namespace
@@ -59,6 +107,40 @@ int execute(const PackCommand& command) {
   print_data(command.common.json ? report_json(packing, report) : report_text(packing, report));
   if (!quiet) note(fmt::format("packing in {}", command.file));
   return 0;
+}
+
+CommandEntry pack_command() {
+  return {
+      .name = "pack",
+      .does = "generate a packing of spheres",
+      .examples =
+          "  superstep pack --container cylinder --diameter 123.6 --height 166 --length-unit um "
+          "--relative-density 0.784 \\\n"
+          "      --count 17515 --sizes lognormal:median=4,sigma=0.5,min=1.5,max=20 --seed 1 -o packing.csv\n"
+          "  superstep pack --container box --width 1 --depth 1 --height 1 --length-unit mm "
+          "--relative-density "
+          "0.6 \\\n"
+          "      --sizes uniform:min=0.08,max=0.12 -o packing.csv",
+      .positional = "",
+      .positional_meaning = "",
+      .options = {{"--container", &Arguments::container, "cylinder or box (default cylinder)", "SHAPE"},
+                  {"--diameter", &Arguments::diameter, "of the cylinder", "L"},
+                  {"--width", &Arguments::width, "of the box, x", "L"},
+                  {"--depth", &Arguments::depth, "of the box, y", "L"},
+                  {"--height", &Arguments::height, "of the container, z", "L"},
+                  {"--count", &Arguments::count,
+                   "number of spheres; default: as many as density and sizes ask for", "N"},
+                  {"--relative-density", &Arguments::relative_density,
+                   "sphere volume over container volume (default 0.64)", "X"},
+                  {"--sizes", &Arguments::sizes,
+                   "diameters: lognormal:median=,sigma=,min=,max= | uniform:min=,max= | list:d1,d2,...",
+                   "SIZES"},
+                  {"--seed", &Arguments::seed, "same seed, same packing (default 1)", "N"},
+                  {"--length-unit", &Arguments::length_unit,
+                   "of the lengths given here: m, cm, mm, um, nm (default m)", "UNIT"},
+                  {"-o,--output", &Arguments::file, "packing file to write (CSV in metres, which it states)",
+                   "FILE"}},
+      .make = from_line};
 }
 
 }  // namespace superstep

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/app/report_file.hpp"
 #include "core/error.hpp"
@@ -26,6 +27,19 @@ std::string json_text(const std::string& file) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+Command from_line(const Arguments& values) {
+  if (values.cases.empty())
+    throw UsageError("report: a folder of results is missing; see superstep report --help");
+  if (!values.against.empty() && !values.markdown)
+    throw UsageError("report: --against goes with --markdown; add that, or leave it out");
+  if (values.markdown && values.json)
+    throw UsageError("report: --markdown and --json both want stdout; choose one");
+  return ReportCommand{.common = common_options(values),
+                       .folder = single_case(values, "report"),
+                       .markdown = values.markdown,
+                       .against = values.against};
+}
+
 }  // namespace
 
 int execute(const ReportCommand& command) {
@@ -37,6 +51,22 @@ int execute(const ReportCommand& command) {
     print_data(markdown);
   if (!command.common.quiet) note("report in " + file);
   return static_cast<int>(ExitCode::ok);
+}
+
+CommandEntry report_command() {
+  return {.name = "report",
+          .does = "one HTML file from the results of bench, run and stability",
+          .examples =
+              "  superstep report reports/out/nial_thermal\n"
+              "  superstep bench cases/nial_thermal.toml --out result && superstep report result\n"
+              "  superstep report result --markdown --against earlier",
+          .positional = "DIR",
+          .positional_meaning = "folder with results.json, run.json or both",
+          .options = {{"--markdown", &Arguments::markdown,
+                       "print a summary for continuous integration as well", ""},
+                      {"--against", &Arguments::against,
+                       "with --markdown: list only what changed since that benchmark", "DIR"}},
+          .make = from_line};
 }
 
 }  // namespace superstep

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "bench/app/cli/cli_values.hpp"
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/app/loaded_case.hpp"
 #include "bench/harness/run_check.hpp"
@@ -95,6 +97,22 @@ std::string summary(const Scene& scene, const std::string& spec, const RunResult
                      run.cpu_pilot + run.cpu_prepare + run.cpu_stepping, folder, choice);
 }
 
+Command from_line(const Arguments& values) {
+  RunCommand command{.common = common_options(values),
+                     .case_file = single_case(values, "run"),
+                     .integrators = values.integrators,
+                     .tolerance = std::nullopt,
+                     .out = values.out,
+                     .verify = values.verify,
+                     .vtk = values.vtk,
+                     .checkpoint = std::nullopt,
+                     .restart = values.restart};
+  if (!values.tolerance.empty()) command.tolerance = parse_positive_option("--tolerance", values.tolerance);
+  if (!values.checkpoint.empty())
+    command.checkpoint = parse_positive_option("--checkpoint", values.checkpoint);
+  return command;
+}
+
 }  // namespace
 
 int execute(const RunCommand& command) {
@@ -135,6 +153,34 @@ int execute(const RunCommand& command) {
   }
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
+}
+
+CommandEntry run_command() {
+  return {
+      .name = "run",
+      .does = "integrate a case and write its fields",
+      .examples =
+          "  superstep run cases/nial_thermal.toml --tolerance 1e-3\n"
+          "  superstep run cases/nial_thermal.toml --integrator sts:n=20,nu=1e-3 --out result\n"
+          "  superstep run cases/nial_thermal.toml --integrator cvode --tolerance 1e-7\n"
+          "  superstep run cases/nial_thermal.toml --vtk --out result   (then open "
+          "result/vtk/particles.pvd)\n"
+          "  superstep run cases/sintering_example.toml --out result --checkpoint 0.1\n"
+          "  superstep run cases/sintering_example.toml --restart result/checkpoint.bin",
+      .positional = "CASE",
+      .positional_meaning = "case file (TOML)",
+      .options =
+          {integrator_option("auto"),
+           {"--tolerance", &Arguments::tolerance,
+            "error allowed relative to the field's span, instead of the SPEC's rtol", "X"},
+           {"--out", &Arguments::out, "folder for final.csv, probes.csv, run.json", "DIR"},
+           {"--verify", &Arguments::verify,
+            "run again by a method of another family, ten times tighter, and print the error delivered", ""},
+           {"--vtk", &Arguments::vtk, "write particles and contacts at every output time for ParaView", ""},
+           {"--checkpoint", &Arguments::checkpoint,
+            "moving particles: simulated time [s] between writes of DIR/checkpoint.bin", "T"},
+           {"--restart", &Arguments::restart, "moving particles: go on from this checkpoint", "FILE"}},
+      .make = from_line};
 }
 
 }  // namespace superstep

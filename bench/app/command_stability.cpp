@@ -1,5 +1,6 @@
 /// superstep stability: where each method is safe on a case, by theory and by measurement.
 
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/host/progress.hpp"
 #include "bench/lab/lab.hpp"
@@ -7,9 +8,20 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "reports/text/stability_report.hpp"
-#include "results/stability_tables.hpp"
+#include "results/study/stability_tables.hpp"
 
 namespace superstep {
+
+namespace {
+
+Command from_line(const Arguments& values) {
+  return StabilityCommand{.common = common_options(values),
+                          .case_file = single_case(values, "stability"),
+                          .out = values.out,
+                          .quick = values.quick};
+}
+
+}  // namespace
 
 int execute(const StabilityCommand& command) {
   if (!command.out.empty()) require_writable_folder(command.out);
@@ -28,6 +40,22 @@ int execute(const StabilityCommand& command) {
   if (is_consistent(results)) return static_cast<int>(ExitCode::ok);
   note("theory and measurement differ where they must agree; see the verdicts");
   return static_cast<int>(ExitCode::numerical);
+}
+
+CommandEntry stability_command() {
+  return {.name = "stability",
+          .does = "stability laboratory: where each method is safe on a case, and where not",
+          .examples =
+              "  superstep stability cases/nial_thermal.toml\n"
+              "  superstep stability cases/chain.toml --quick\n"
+              "  superstep stability cases/nial_thermal.toml --out result --json",
+          .positional = "CASE",
+          .positional_meaning = "case file (TOML)",
+          .options = {{"--out", &Arguments::out,
+                       "folder for stability_*.csv: methods, critical_step, rounding, sweeps (default: none)",
+                       "DIR"},
+                      {"--quick", &Arguments::quick, "fewer parameter sets, done in seconds", ""}},
+          .make = from_line};
 }
 
 }  // namespace superstep

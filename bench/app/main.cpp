@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "bench/app/cli.hpp"
+#include "bench/app/cli/cli.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/host/machine.hpp"
 #include "bench/host/terminal.hpp"

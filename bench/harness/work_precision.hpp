@@ -7,7 +7,7 @@
 
 #include "bench/host/progress.hpp"
 #include "case/scene.hpp"
-#include "results/work_precision.hpp"
+#include "results/study/work_precision.hpp"
 
 namespace superstep {
 

@@ -4,7 +4,7 @@
 
 #include "bench/lab/perturbation.hpp"
 #include "case/checks/health.hpp"
-#include "results/stability_results.hpp"
+#include "results/study/stability_results.hpp"
 
 namespace superstep {
 

@@ -3,7 +3,7 @@
 
 #include "bench/host/progress.hpp"
 #include "case/scene.hpp"
-#include "results/stability_results.hpp"
+#include "results/study/stability_results.hpp"
 
 namespace superstep {
 

@@ -6,7 +6,7 @@
 #include "bench/lab/catalogue.hpp"
 #include "bench/lab/mode.hpp"
 #include "bench/lab/perturbation.hpp"
-#include "results/stability_results.hpp"
+#include "results/study/stability_results.hpp"
 
 namespace superstep {
 

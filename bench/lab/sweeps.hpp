@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "results/stability_results.hpp"
+#include "results/study/stability_results.hpp"
 
 namespace superstep {
 

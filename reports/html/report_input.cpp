@@ -10,7 +10,7 @@
 #include "reports/html/read_runs.hpp"
 #include "results/observations_csv.hpp"
 #include "results/read_results.hpp"
-#include "results/read_work_precision.hpp"
+#include "results/study/read_work_precision.hpp"
 
 namespace superstep {
 namespace {

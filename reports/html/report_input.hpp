@@ -10,8 +10,8 @@
 
 #include "results/motion_input.hpp"
 #include "results/results.hpp"
+#include "results/study/work_precision.hpp"
 #include "results/text/csv_table.hpp"
-#include "results/work_precision.hpp"
 
 namespace superstep {
 

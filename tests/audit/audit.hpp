@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "audit/oracle.hpp"
-#include "audit/random_scene.hpp"
+#include "audit/oracle/oracle.hpp"
+#include "audit/scenes/random_scene.hpp"
 #include "audit/time_limit.hpp"
 
 namespace superstep::audit {

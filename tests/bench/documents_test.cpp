@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "bench/app/cli.hpp"
+#include "bench/app/cli/cli.hpp"
 #include "bench/measure/run_one.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"

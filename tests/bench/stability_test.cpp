@@ -19,7 +19,7 @@
 #include "core/error.hpp"
 #include "integrators/schemes/super_step.hpp"
 #include "reports/text/stability_report.hpp"
-#include "results/stability_tables.hpp"
+#include "results/study/stability_tables.hpp"
 #include "support/problem.hpp"
 #include "temporary_case.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "core/error.hpp"
 #include "results/observations_csv.hpp"
-#include "results/read_work_precision.hpp"
 #include "results/results_json.hpp"
+#include "results/study/read_work_precision.hpp"
 #include "sample_report.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "results/results.hpp"
-#include "results/work_precision.hpp"
+#include "results/study/work_precision.hpp"
 
 namespace superstep::test {
 

@@ -1,0 +1,150 @@
+#include "bench/app/cli/cli_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <type_traits>
+#include <variant>
+
+#include "bench/host/machine.hpp"
+#include "core/error.hpp"
+#include "core/text/suggest.hpp"
+#include "core/text/text_file.hpp"
+
+namespace superstep {
+namespace {
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* option : app.get_options())
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// Unknown arguments are collected by CLI11 and judged here, so that the message can name what was meant.
+void reject_unknown_arguments(const CLI::App& app) {
+  for (const auto& argument : app.remaining()) {
+    const bool option = argument.starts_with("-");
+    const std::string name = argument.substr(0, argument.find('='));
+    if (option)
+      throw UsageError(fmt::format("unknown option {}{}", superstep::quoted(name),
+                                   suggestion(name, names_of_options(app))));
+    if (app.get_parent() == nullptr)
+      throw UsageError(fmt::format("unknown command {}{}", superstep::quoted(name),
+                                   suggestion(name, names_of_commands(app))));
+    throw UsageError(fmt::format("{}: unexpected argument {}; see superstep {} --help", app.get_name(),
+                                 superstep::quoted(argument), app.get_name()));
+  }
+}
+
+void add_common(CLI::App& app, Arguments& values) {
+  app.add_option("--threads", values.threads, "threads that may compute (default 1)")->type_name("N");
+  app.add_flag("--quiet", values.quiet, "no progress, notes or warnings on stderr");
+  app.add_flag("--json", values.json, "machine-readable output on stdout");
+  app.add_option("--color", values.color, "colours on stdout: auto, always or never (default auto)")
+      ->type_name("WHEN");
+}
+
+void add_option(CLI::App& command, const OptionEntry& option, Arguments& values) {
+  const auto add = [&](auto member) {
+    using Value = std::remove_reference_t<decltype(values.*member)>;
+    if constexpr (std::is_same_v<Value, bool>) {
+      command.add_flag(option.name, values.*member, option.meaning);
+    } else {
+      auto* added = command.add_option(option.name, values.*member, option.meaning)->type_name(option.type);
+      // A list takes one value per mention: it must not swallow the case file that follows.
+      if constexpr (std::is_same_v<Value, std::vector<std::string>>) added->allow_extra_args(false);
+    }
+  };
+  std::visit(add, option.target);
+}
+
+void add_command(CLI::App& app, const CommandEntry& entry, Arguments& values) {
+  CLI::App& command = *app.add_subcommand(entry.name, entry.does);
+  command.allow_extras();
+  command.footer("Examples:\n" + entry.examples);
+  add_common(command, values);
+  if (!entry.positional.empty())
+    command.add_option(entry.positional, values.cases, entry.positional_meaning)->type_name("");
+  for (const auto& option : entry.options) add_option(command, option, values);
+}
+
+// An empty value is a slip, such as an unset shell variable; taking it as "not given" would hide that.
+void reject_empty_values(const CLI::App& command) {
+  for (const auto* option : command.get_options())
+    for (const auto& value : option->results())
+      if (value.empty()) throw UsageError(fmt::format("{}: the value is empty", option->get_name()));
+}
+
+std::string version_text() {
+  const std::string revision = program_revision();
+  return fmt::format("superstep {}{}\n", program_version(), revision.empty() ? "" : " (" + revision + ")");
+}
+
+void add_commands(CLI::App& app, Arguments& values) {
+  for (const auto& entry : command_entries()) add_command(app, entry, values);
+}
+
+}  // namespace
+
+Arguments read_arguments(const std::vector<std::string>& line) {
+  CLI::App app("Superstep: which time integrator is fastest for heat and current in packings of particles?",
+               "superstep");
+  app.require_subcommand(0, 1);
+  app.allow_extras();
+  app.footer("Each command has its own --help with examples.");
+  Arguments values;
+  bool version = false;
+  app.add_flag("--version", version, "print the version");
+  add_common(app, values);
+  add_commands(app, values);
+  try {
+    app.parse(std::vector<std::string>(line.rbegin(), line.rend()));  // CLI11 takes them from the back
+  } catch (const CLI::CallForHelp&) {
+    values.text = app.help();
+    return values;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  if (version) {
+    values.text = version_text();
+    return values;
+  }
+  reject_unknown_arguments(app);
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty())
+    throw UsageError(
+        fmt::format("a command is missing{}; see superstep --help", suggestion("", names_of_commands(app))));
+  reject_unknown_arguments(*chosen.front());
+  reject_empty_values(*chosen.front());
+  values.command = chosen.front()->get_name();
+  return values;
+}
+
+std::vector<CommandShape> command_shapes() {
+  CLI::App app;
+  Arguments values;
+  add_commands(app, values);
+  std::vector<CommandShape> shapes;
+  for (const auto* command : app.get_subcommands(nullptr)) {
+    CommandShape shape{.name = command->get_name(), .does = command->get_description(), .options = {}};
+    for (const auto* option : command->get_options())
+      for (const auto& name : option->get_lnames())
+        shape.options.push_back(
+            {.name = "--" + name,
+             .meaning = option->get_description(),
+             .takes_value = option->get_expected_max() > 0 && option->get_items_expected_max() > 0,
+             .words = {}});
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+}  // namespace superstep

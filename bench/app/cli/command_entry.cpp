@@ -1,0 +1,48 @@
+#include "bench/app/cli/command_entry.hpp"
+
+#include <fmt/format.h>
+
+#include "bench/app/cli/cli_values.hpp"
+#include "core/error.hpp"
+#include "core/text/text_file.hpp"
+
+// One line per command: its file in bench/app defines `CommandEntry NAME_command()`.
+#define SUPERSTEP_COMMANDS(command)                                                                         \
+  command(run) command(bench) command(info) command(stability) command(gate) command(compare) command(pack) \
+      command(report) command(completion) command(list)
+
+namespace superstep {
+
+#define SUPERSTEP_DECLARE(name) CommandEntry name##_command();
+SUPERSTEP_COMMANDS(SUPERSTEP_DECLARE)
+#undef SUPERSTEP_DECLARE
+
+std::span<const CommandEntry> command_entries() {
+#define SUPERSTEP_ENTRY(name) name##_command(),
+  static const std::vector<CommandEntry> entries = {SUPERSTEP_COMMANDS(SUPERSTEP_ENTRY)};
+#undef SUPERSTEP_ENTRY
+  return entries;
+}
+
+OptionEntry integrator_option(const std::string& fallback) {
+  return {"--integrator", &Arguments::integrators, "integrator, may be repeated; default: " + fallback,
+          "SPEC"};
+}
+
+CommonOptions common_options(const Arguments& values) {
+  return {.threads = static_cast<int>(parse_integer_option("--threads", values.threads, 1, 1024)),
+          .quiet = values.quiet,
+          .json = values.json,
+          .color = parse_color_mode(values.color)};
+}
+
+const std::string& single_case(const Arguments& values, const std::string& command) {
+  if (values.cases.empty())
+    throw UsageError(fmt::format("{0}: a case file is missing; see superstep {0} --help", command));
+  if (values.cases.size() > 1)
+    throw UsageError(fmt::format("{0}: unexpected argument {1}; see superstep {0} --help", command,
+                                 quoted(values.cases[1])));
+  return values.cases.front();
+}
+
+}  // namespace superstep

@@ -1,0 +1,63 @@
+#pragma once
+/// One command of the program: what stands on its command line, and what becomes of that.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/app/commands.hpp"
+
+namespace superstep {
+
+/// Every value of the command line as it was written; empty = not given.
+struct Arguments {
+  std::string command;  ///< "run", "bench", ...; empty when there is only `text` to show
+  std::string text;     ///< help or version
+
+  std::string threads = "1", color = "auto";
+  bool quiet = false, json = false;
+
+  std::vector<std::string> cases, integrators;
+  std::string tolerance, out, reference, against, checkpoint, restart, baseline;
+  std::optional<std::string> repetitions;
+  bool no_cache = false, work_precision = false, quick = false, report = false, vtk = false, verify = false,
+       markdown = false;
+
+  std::string container = "cylinder", diameter, width, depth, height, count, relative_density, sizes,
+              seed = "1", length_unit = "m", file;
+};
+
+/// One option: its names as in "-o,--output", where its value goes, what it means, and how the help calls its
+/// value.
+struct OptionEntry {
+  using Target = std::variant<std::string Arguments::*, bool Arguments::*,
+                              std::vector<std::string> Arguments::*, std::optional<std::string> Arguments::*>;
+  std::string name;
+  Target target;
+  std::string meaning, type;
+};
+
+/// One line of the list of commands; its file command_NAME.cpp holds options, help and execution.
+struct CommandEntry {
+  std::string name, does;
+  std::string examples;                        ///< lines "  superstep ..."
+  std::string positional, positional_meaning;  ///< "CASE"; empty = the command takes none
+  std::vector<OptionEntry> options;
+  Command (*make)(const Arguments& values);  ///< throws UsageError in one line
+};
+
+/// Every command, in the order of `superstep --help`.
+[[nodiscard]] std::span<const CommandEntry> command_entries();
+
+/// The option that several commands share.
+[[nodiscard]] OptionEntry integrator_option(const std::string& fallback);
+
+/// What every command takes. Throws UsageError.
+[[nodiscard]] CommonOptions common_options(const Arguments& values);
+
+/// The one positional argument of a command. Throws UsageError when there is none, or another.
+[[nodiscard]] const std::string& single_case(const Arguments& values, const std::string& command);
+
+}  // namespace superstep

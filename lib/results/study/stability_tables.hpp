@@ -1,0 +1,29 @@
+#pragma once
+/// The stability laboratory's results for machines: four CSV files and one JSON object from the same tables.
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "results/study/stability_results.hpp"
+
+namespace superstep {
+
+/// One table; an empty cell is a value that does not exist or is not finite.
+struct StabilityTable {
+  using Cell = std::variant<std::monostate, std::string, std::int64_t, double, bool>;
+  std::string name;  ///< "methods", "critical_step", "rounding", "sweeps"
+  std::vector<std::string> columns;
+  std::vector<std::vector<Cell>> rows;
+
+  [[nodiscard]] std::string file_name() const { return "stability_" + name + ".csv"; }
+  [[nodiscard]] std::string csv() const;
+};
+
+[[nodiscard]] std::vector<StabilityTable> stability_tables(const StabilityResults& results);
+
+/// All tables, each as an array of objects with the CSV columns as keys, and the verdicts.
+[[nodiscard]] std::string stability_json(const StabilityResults& results);
+
+}  // namespace superstep
