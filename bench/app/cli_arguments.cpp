@@ -157,11 +157,13 @@ void add_stability(CLI::App& app, Arguments& values) {
                               "stability laboratory: where each method is safe on a case, and where not",
                               "  superstep stability cases/nial_thermal.toml\n"
                               "  superstep stability cases/chain.toml --quick\n"
+                              "  superstep stability cases/lattice_two_way.toml --quick\n"
                               "  superstep stability cases/nial_thermal.toml --out result --json");
   add_case(command, values, false);
   command
-      .add_option("--out", values.out,
-                  "folder for stability_*.csv: methods, critical_step, rounding, sweeps (default: none)")
+      .add_option(
+          "--out", values.out,
+          "folder for stability_*.csv: methods, critical_step, rounding, sweeps, states (default: none)")
       ->type_name("DIR");
   command.add_flag("--quick", values.quick, "fewer parameter sets, done in seconds");
 }
