@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bench/lab/perturbation.hpp"
 
@@ -16,15 +17,25 @@ constexpr double distinguishable = 1e-4;
 
 }  // namespace
 
-GrowthMeter::GrowthMeter(Rhs& rhs, std::vector<double> mode, Modes modes)
+GrowthMeter::GrowthMeter(Rhs& rhs, std::vector<double> mode, Modes modes, double rising)
     : rhs_(rhs),
       mode_(std::move(mode)),
       start_(white_perturbation(rhs)),
       image_(rhs.size()),
       orthogonal_(modes == Modes::orthogonal),
+      rising_(rising),
       steps_(modes == Modes::complex ? steps_of_complex_modes : steps_of_real_modes) {
   normalise(rhs_, mode_);
   for (std::size_t i = 0; i < start_.size(); ++i) start_[i] = mode_[i] + noise * start_[i];
+}
+
+void GrowthMeter::take_slow_modes_away(std::vector<double>& e) {
+  rhs_.linear_stage({.y1 = e.data(), .a = 0, .d = 1}, image_);
+  std::swap(e, image_);
+  if (!(rising_ > 0)) return;
+  normalise(rhs_, e);
+  rhs_.linear_stage({.y1 = e.data(), .a = -rising_, .d = 1}, image_);
+  std::swap(e, image_);
 }
 
 double GrowthMeter::growth(const std::string& spec, double step) {
@@ -47,8 +58,7 @@ double GrowthMeter::growth(const std::string& spec, double step) {
     if (!std::isfinite(factor)) return infinity;
     if (!(factor > 0)) return alone;
     if (k > half) later += std::log(factor);
-    rhs_.linear_stage({.y1 = e.data(), .a = 0, .d = 1}, image_);
-    e = image_;
+    take_slow_modes_away(e);
   }
   return std::max(alone, std::exp(later / (steps_ - half)));
 }

@@ -53,10 +53,7 @@ std::optional<double> predicted_limit(const MethodCase& method, const Spectrum& 
 
 FrozenLimit find_limit(const FrozenRhs& rhs, GrowthMeter& meter, const MethodCase& method,
                        const Spectrum& spectrum) {
-  // What grows by itself may go on growing as fast.
-  const auto growth = [&](double step) {
-    return meter.growth(method.spec(step), step) / std::exp(spectrum.rising * step);
-  };
+  const auto growth = [&](double step) { return meter.growth(method.spec(step), step); };
   FrozenLimit out;
   out.family = method.family;
   out.parameters = method.parameters;
@@ -107,7 +104,7 @@ FrozenState find_limits(FrozenRhs& rhs, bool quick, const std::function<void()>&
   out.lambda_residual = spectrum.residual;
   out.rising = spectrum.rising;
   out.certified_bound = rhs.frozen().bound;
-  GrowthMeter meter(rhs, spectrum.shape, modes_of(spectrum.kind));
+  GrowthMeter meter(rhs, spectrum.shape, modes_of(spectrum.kind), spectrum.rising);
   for (const auto& method : limit_catalogue(quick)) {
     out.limits.push_back(find_limit(rhs, meter, method, spectrum));
     if (done) done();

@@ -97,10 +97,11 @@ Spectrum all_eigenvalues(FrozenRhs& rhs) {
   Spectrum out;
   out.found_by = "all eigenvalues";
   take_extremes(values, frozen, out);
-  const auto column = solver.eigenvectors().col(static_cast<Eigen::Index>(extremes_of(values).limiting));
+  const Eigen::MatrixXcd vectors = solver.eigenvectors();  // computed anew at every call
+  const auto limiting = static_cast<Eigen::Index>(extremes_of(values).limiting);
   out.shape.resize(rhs.size());
   for (Eigen::Index i = 0; i < n; ++i)
-    out.shape[static_cast<std::size_t>(i)] = scale[static_cast<std::size_t>(i)] * column(i).real();
+    out.shape[static_cast<std::size_t>(i)] = scale[static_cast<std::size_t>(i)] * vectors(i, limiting).real();
   normalise(rhs, out.shape);
   if (out.limiting.imag() == 0) out.residual = residual_of(rhs, out.shape, out.limiting.real());
   return out;
@@ -134,7 +135,7 @@ Arnoldi arnoldi_space(FrozenRhs& rhs, std::vector<double> v, std::size_t most) {
     const bool exhausted = !(space.next > 1e-14 * std::abs(space.projected(k, k)));
     if (exhausted) space.next = 0;
     if (exhausted || space.basis.size() == size) {
-      space.projected.conservativeResize(k + 1, k + 1);
+      space.projected = Matrix(space.projected.topLeftCorner(k + 1, k + 1));
       return space;
     }
     space.projected(k + 1, k) = space.next;
@@ -154,9 +155,10 @@ Spectrum by_arnoldi(FrozenRhs& rhs) {
     const Arnoldi space = arnoldi_space(rhs, out.shape, basis_size);
     const auto m = space.projected.rows();
     const Eigen::EigenSolver<Matrix> solver(space.projected);
+    const Eigen::MatrixXcd vectors = solver.eigenvectors();  // computed anew at every call
     std::vector<Complex> values(solver.eigenvalues().data(), solver.eigenvalues().data() + m);
     const auto residual = [&](std::size_t k) {
-      return space.next * std::abs(solver.eigenvectors()(m - 1, static_cast<Eigen::Index>(k)));
+      return space.next * std::abs(vectors(m - 1, static_cast<Eigen::Index>(k)));
     };
     const Extremes found = extremes_of(values);
     const auto wanted_column = static_cast<Eigen::Index>(found.limiting);
@@ -169,7 +171,7 @@ Spectrum by_arnoldi(FrozenRhs& rhs) {
     out.residual = error;
     std::fill(out.shape.begin(), out.shape.end(), 0.0);
     for (Eigen::Index j = 0; j < m; ++j) {
-      const double part = solver.eigenvectors()(j, wanted_column).real();
+      const double part = vectors(j, wanted_column).real();
       const auto& b = space.basis[static_cast<std::size_t>(j)];
       for (std::size_t i = 0; i < out.shape.size(); ++i) out.shape[i] += part * b[i];
     }

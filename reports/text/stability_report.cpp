@@ -248,9 +248,8 @@ std::string state_section(const FrozenState& state, bool color) {
   if (state.lambda_imaginary > 0) out += fmt::format(" (imaginary part {:.3g})", state.lambda_imaginary);
   out += fmt::format(", certified bound {:.6g} 1/s\n", state.certified_bound);
   if (state.rising > 0)
-    out +=
-        fmt::format("some perturbation grows by itself, by {:.3g} 1/s: growth as fast as that is allowed\n",
-                    state.rising);
+    out += fmt::format("some perturbation grows by itself, by {:.3g} 1/s: it is taken away like slow modes\n",
+                       state.rising);
   return out + state_table(state, color) + "\n";
 }
 

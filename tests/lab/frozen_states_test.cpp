@@ -115,11 +115,11 @@ std::vector<SceneText> scenes() {
        thermal("convection = [ { where = \"all\", coefficient = 5e3, ambient = { times = [1.0, 2.0], "
                "values = [300.0, 400.0] } } ]\n")});
   out.push_back({"radiation", "symmetric", 4,
-                 "t_end = 400.0\n[thermal]\n" + metal +
+                 "t_end = 4.0\n[thermal]\n" + metal +
                      "radiation = [ { where = \"all\", emissivity = 0.8, ambient = 1500.0 } ]\n"});
   out.push_back(
       {"conductivity_by_table", "real", 4,
-       "t_end = 2.0\n[thermal]\nconductivity = { law = \"table\", temperatures = [300.0, 450.0, 600.0], "
+       "t_end = 2.0\n[thermal]\nconductivity = { law = \"table\", temperatures = [250.0, 450.0, 700.0], "
        "values = [50.0, 20.0, 80.0] }\nspecific_heat = 460.0\ninitial = 300.0\n" +
            held(600, 300)});
   out.push_back({"conductivity_by_sigmoid", "real", 4,
@@ -139,7 +139,7 @@ std::vector<SceneText> scenes() {
                  block(5, 9)});
   out.push_back({"steady_potential", "symmetric", 1,
                  "t_end = 5.0\n" + electric("steady", "conductivity = 1e4\n") + "[thermal]\n" + metal});
-  out.push_back({"steady_potential_that_follows", "symmetric", 4,
+  out.push_back({"steady_potential_that_follows", "real", 4,
                  "t_end = 5.0\n" + electric("steady", sigmoid) + "[thermal]\n" + metal});
   out.push_back({"two_materials",
                  "symmetric",
@@ -166,13 +166,17 @@ TEST_P(EveryClassOfScene, PredictsTheLimitsThatAreMeasured) {
   EXPECT_EQ(results.states.back().spectrum, GetParam().kind);
   for (const auto& state : results.states) {
     SCOPED_TRACE(fmt::format("t = {}", state.time));
-    EXPECT_EQ(state.rising, 0);
+    if (!scene.moving_potential && scene.fields.size() == 1) {  // Joule heat that rises with temperature may
+      EXPECT_EQ(state.rising, 0);
+    }
     EXPECT_GE(state.certified_bound, state.lambda_max * (1 - 1e-9)) << "a bound is one";
     EXPECT_LE(state.lambda_residual, 1e-5 * state.lambda_max);
     ASSERT_EQ(state.limits.size(), 3U);  // forward Euler, an STS pair, RKC with one number of stages
     for (const auto& limit : state.limits) {
       SCOPED_TRACE(limit.spec);
-      ASSERT_TRUE(limit.predicted);
+      const bool is_euler = limit.family == "forward-euler";
+      ASSERT_EQ(limit.predicted.has_value(), is_euler || state.spectrum != "complex");
+      if (!limit.predicted) continue;
       EXPECT_NEAR(*limit.predicted / limit.measured, 1, 0.02);
       EXPECT_EQ(limit.verdict, FrozenLimit::Verdict::agrees);
       EXPECT_NEAR(*limit.growth_at_predicted, 1, 0.05);
@@ -198,7 +202,8 @@ TEST_P(EveryClassOfScene, IsTheSlopeOfTheRightHandSide) {
     FrozenRhs frozen(*scene.rhs, freeze(*scene.rhs, state.time, state.y, run.spans));
     const auto n = scene.rhs->size();
     std::vector<double> direction(n), up(state.y), down(state.y), f_up(n), f_down(n), product(n);
-    constexpr double reach = 1e-5;  // of a span: knots of tables are farther, differences keep ten digits
+    constexpr double reach =
+        1e-5;  // K or V: no state lies as near to a knot of a table, and differences keep seven digits
     for (const auto& field : scene.rhs->fields())
       for (std::size_t k = 0; k < field.count; ++k) {
         const std::size_t i = field.offset + k * field.stride;
@@ -214,8 +219,6 @@ TEST_P(EveryClassOfScene, IsTheSlopeOfTheRightHandSide) {
       largest = std::max(largest, std::abs(product[i]));
       worst = std::max(worst, std::abs((f_up[i] - f_down[i]) / (2 * reach) - product[i]));
     }
-    // At a knot of a table the slope is that of one side: half of the change of slope at most is missed by
-    // the single entry that lies there.
     EXPECT_LE(worst, 1e-5 * largest);
   }
 }
@@ -234,7 +237,7 @@ FrozenRhs two_by_two(const Problem& problem, double a, double b, double c, doubl
 }
 
 TEST(FrozenSpectrum, OfATurningPairPredictsForwardEulerAlone) {
-  const Problem problem(test::chain(4));
+  const Problem problem(test::chain(2));
   ASSERT_EQ(problem.rhs->size(), 2U);
   auto rhs = two_by_two(problem, -3, 4, -4, -3);  // -3 +- 4i
   const auto state = find_limits(rhs, true);
@@ -253,7 +256,7 @@ TEST(FrozenSpectrum, OfATurningPairPredictsForwardEulerAlone) {
 }
 
 TEST(FrozenSpectrum, WhatGrowsByItselfDoesNotCountAgainstAStep) {
-  const Problem problem(test::chain(4));
+  const Problem problem(test::chain(2));
   auto rhs = two_by_two(problem, -100, 5, 0, 0.5);
   const auto state = find_limits(rhs, true);
   EXPECT_EQ(state.spectrum, "real");
@@ -323,7 +326,7 @@ TEST(FrozenStates, SaysWhatItLeavesOut) {
 }
 
 TEST(FrozenRhs, KnowsWhatItIs) {
-  const Problem problem(test::chain(4));
+  const Problem problem(test::chain(2));
   EXPECT_TRUE(two_by_two(problem, -2, 1, 1, -2).traits().symmetric);
   auto rhs = two_by_two(problem, -2, 1, 3, -4);
   std::vector<double> e = {1, -1}, out(2);
