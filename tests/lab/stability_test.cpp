@@ -176,6 +176,20 @@ TEST(StabilityLab, SaysWhenAMeasurementContradictsTheory) {
     }
 }
 
+TEST(StabilityLab, SaysWhenAPredictedLimitIsNotTheMeasuredOne) {
+  StabilityResults doctored = rod_results();
+  ASSERT_FALSE(doctored.states.empty());
+  EXPECT_EQ(stability_text(doctored, false).find("DIFFERS"), std::string::npos);
+  auto& limit = doctored.states.front().limits.front();
+  limit.predicted = 1.1 * limit.measured;
+  limit.verdict = FrozenLimit::Verdict::differs;
+  EXPECT_FALSE(is_consistent(doctored));
+  EXPECT_NE(stability_text(doctored, false).find("DIFFERS"), std::string::npos);
+  EXPECT_NE(stability_json(doctored).find("\"differs\""), std::string::npos);
+  doctored.linear = false;  // verdicts are then those of the states
+  EXPECT_EQ(judge_methods(doctored).front().grade, Verdict::Grade::unsafe);
+}
+
 TEST(StabilityProgram, WritesFilesAndJson) {
   const CaseFolder folder;
   const std::string rod = test::write_rod(folder, {}), lab = folder.file("lab"),
