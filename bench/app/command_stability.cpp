@@ -48,11 +48,12 @@ CommandEntry stability_command() {
           .examples =
               "  superstep stability cases/nial_thermal.toml\n"
               "  superstep stability cases/chain.toml --quick\n"
+                      "  superstep stability cases/lattice_two_way.toml --quick\n"
               "  superstep stability cases/nial_thermal.toml --out result --json",
           .positional = "CASE",
           .positional_meaning = "case file (TOML)",
           .options = {{"--out", &Arguments::out,
-                       "folder for stability_*.csv: methods, critical_step, rounding, sweeps (default: none)",
+                       "folder for stability_*.csv: methods, critical_step, rounding, sweeps, states (default: none)",
                        "DIR"},
                       {"--quick", &Arguments::quick, "fewer parameter sets, done in seconds", ""}},
           .make = from_line};

@@ -111,4 +111,16 @@ std::vector<MethodCase> method_catalogue(bool quick) {
   return methods;
 }
 
+std::vector<MethodCase> limit_catalogue(bool quick) {
+  std::vector<MethodCase> methods = {forward_euler(), superstep({10, 1e-3}, "leja"),
+                                     stabilised({rkc2_family, "rkc"}, 10)};
+  if (quick) return methods;
+  methods.push_back(superstep({20, 1e-4}, "leja"));
+  methods.push_back(stabilised({rkc1_family, "rkc"}, 10));
+  methods.push_back(stabilised({rkl2_family, "rkl"}, 11));
+  methods.push_back(stabilised({rkg2_family, "rkg"}, 11));
+  methods.push_back(stabilised({rock4_family, "rock"}, 10));
+  return methods;
+}
+
 }  // namespace superstep

@@ -32,4 +32,7 @@ inline constexpr const char* superstep_orders[] = {"recurrence", "leja", "natura
 
 [[nodiscard]] std::vector<MethodCase> method_catalogue(bool quick);
 
+/// Those whose limit is measured at every frozen state: forward Euler, STS and stabilised families.
+[[nodiscard]] std::vector<MethodCase> limit_catalogue(bool quick);
+
 }  // namespace superstep

@@ -54,7 +54,7 @@ SparsePattern PerturbationRhs::build_pattern() {
   return scene_.pattern();
 }
 
-StepOperator::StepOperator(PerturbationRhs& rhs, const std::string& spec, double step)
+StepOperator::StepOperator(Rhs& rhs, const std::string& spec, double step)
     : step_(step), method_(make_integrator(spec)) {
   method_->prepare(rhs, unguarded_plan(rhs, {step}));
 }
@@ -101,10 +101,11 @@ Plan unguarded_plan(const Rhs& rhs, std::vector<double> output_times) {
   Plan plan;
   plan.output_times = std::move(output_times);
   plan.ranges.assign(rhs.fields().size(), {-huge, huge});
+  plan.spans.assign(rhs.fields().size(), 1.0);
   return plan;
 }
 
-double growth_per_step(PerturbationRhs& rhs, const std::string& spec, double step, int steps) {
+double growth_per_step(Rhs& rhs, const std::string& spec, double step, int steps) {
   StepOperator one_step(rhs, spec, step);
   auto e = white_perturbation(rhs);
   double growth = 0;
@@ -115,7 +116,7 @@ double growth_per_step(PerturbationRhs& rhs, const std::string& spec, double ste
   return growth;
 }
 
-double settled_growth(PerturbationRhs& rhs, const std::string& spec, double step, int most_steps) {
+double settled_growth(Rhs& rhs, const std::string& spec, double step, int most_steps) {
   constexpr int fewest_steps = 16;  // the stiffest modes need some to win over the many
   constexpr double settled = 1e-3;  // distance to the end, when it falls like 1/k: k times the last change
   StepOperator one_step(rhs, spec, step);

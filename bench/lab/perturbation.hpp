@@ -36,7 +36,7 @@ class PerturbationRhs final : public Rhs {
 class StepOperator {
  public:
   /// `spec` must take exactly one step over `step` [s].
-  StepOperator(PerturbationRhs& rhs, const std::string& spec, double step);
+  StepOperator(Rhs& rhs, const std::string& spec, double step);
   /// False when the result is not finite or the method fails; e is then left as it was.
   [[nodiscard]] bool apply(std::span<double> e);
 
@@ -55,16 +55,15 @@ double normalise(const Rhs& rhs, std::span<double> e);
 /// The same over sqrt(C_i), norm 1: on average as much of every mode, however capacities differ.
 [[nodiscard]] std::vector<double> white_perturbation(const Rhs& rhs);
 
-/// Plan without limits on values, so that growth can be watched instead of being stopped.
+/// Plan without limits on values and with spans of 1, so that growth can be watched instead of being stopped.
 [[nodiscard]] Plan unguarded_plan(const Rhs& rhs, std::vector<double> output_times);
 
 /// Factor by which the last of `steps` steps multiplies a white perturbation; infinite when it overflows.
-[[nodiscard]] double growth_per_step(PerturbationRhs& rhs, const std::string& spec, double step, int steps);
+[[nodiscard]] double growth_per_step(Rhs& rhs, const std::string& spec, double step, int steps);
 
 /// Power iteration: the same with as many steps as it takes until the factor stands, at most `most_steps`. It
 /// rises to the largest factor of any mode; where many modes are nearly as stiff its distance falls like
 /// 1/steps.
-[[nodiscard]] double settled_growth(PerturbationRhs& rhs, const std::string& spec, double step,
-                                    int most_steps);
+[[nodiscard]] double settled_growth(Rhs& rhs, const std::string& spec, double step, int most_steps);
 
 }  // namespace superstep

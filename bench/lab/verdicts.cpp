@@ -62,6 +62,18 @@ std::string disagreement_text(const Methods& methods) {
       largest(methods, &MethodStability::difference), 100 * growth);
 }
 
+const char* outcome_text(Tendency tendency) {
+  switch (tendency) {
+    case Tendency::decays:
+      return "stable";
+    case Tendency::grows:
+      return "UNSTABLE";
+    case Tendency::unclear:
+      return "at the limit";
+  }
+  return "";
+}
+
 Verdict judge_forward_euler(const StabilityResults& results) {
   const auto& study = results.critical_step;
   const std::string name = "forward-euler";
@@ -72,7 +84,7 @@ Verdict judge_forward_euler(const StabilityResults& results) {
   for (const auto& estimate : study.estimates)
     if (estimate.note == certified_bound || estimate.note == published_rule)
       rules.push_back(fmt::format("{} at {:.2f} ({}, {})", estimate.name, estimate.of_limit, estimate.note,
-                                  estimate.stable ? "stable" : "UNSTABLE"));
+                                  outcome_text(estimate.tendency)));
   const auto [lowest, highest] =
       std::minmax_element(results.sweeps.begin(), results.sweeps.end(),
                           [](const auto& a, const auto& b) { return a.alpha < b.alpha; });
@@ -173,9 +185,41 @@ Verdict judge_trapezoidal(const StabilityResults& results, const std::string& ph
                       overshoot_text(overshoot))};
 }
 
+/// One method at all frozen states; `which` = its place among their limits.
+Verdict judge_frozen(const StabilityResults& results, std::size_t which) {
+  const auto& first = results.states.front().limits[which];
+  const std::string name =
+      first.parameters.empty() ? first.family : fmt::format("{}, {}", first.family, first.parameters);
+  std::vector<std::string> limits, wrong;
+  int predicted = 0;
+  for (const auto& state : results.states) {
+    const auto& limit = state.limits[which];
+    limits.push_back(fmt::format("{:.4g} s at t = {:.4g} s", limit.measured, state.time));
+    predicted += limit.verdict == FrozenLimit::Verdict::agrees;
+    if (limit.verdict == FrozenLimit::Verdict::differs)
+      wrong.push_back(fmt::format("{:.4g} s at t = {:.4g} s", *limit.predicted, state.time));
+  }
+  std::string text = fmt::format("Longest stable steps: {}.", fmt::join(limits, ", "));
+  if (!wrong.empty())
+    return {name, Grade::unsafe,
+            text + fmt::format(" Eigenvalues predict {}: do not trust either.", fmt::join(wrong, ", "))};
+  text += predicted > 0 ? fmt::format(" Eigenvalues predict {} of {} within 2 %.", predicted, limits.size())
+                        : " A complex spectrum predicts none of them.";
+  return {name, Grade::careful, text};
+}
+
+std::vector<Verdict> judge_frozen_states(const StabilityResults& results) {
+  std::vector<Verdict> verdicts;
+  if (results.states.empty()) return verdicts;
+  for (std::size_t k = 0; k < results.states.front().limits.size(); ++k)
+    verdicts.push_back(judge_frozen(results, k));
+  return verdicts;
+}
+
 }  // namespace
 
 std::vector<Verdict> judge_methods(const StabilityResults& results) {
+  if (!results.linear) return judge_frozen_states(results);
   std::vector<Verdict> verdicts = {judge_forward_euler(results)};
   if (results.methods.empty()) return verdicts;
   for (const char* order : {"recurrence", "leja", "natural"})

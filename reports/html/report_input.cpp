@@ -11,6 +11,7 @@
 #include "results/observations_csv.hpp"
 #include "results/read_results.hpp"
 #include "results/study/read_work_precision.hpp"
+#include "results/study/stability_tables.hpp"
 
 namespace superstep {
 namespace {
@@ -77,10 +78,23 @@ void read_studies(ReportInput& input) {
   }
 }
 
+void require_version(const Json& json, const std::string& path) {
+  const auto version = json.find("schema_version");
+  if (version != json.end() && *version == stability_schema_version) return;
+  throw InputError(
+      fmt::format("{}: schema_version is {}, and only version {} of 'superstep.stability' can be read; write "
+                  "it anew with "
+                  "superstep stability CASE --out {}",
+                  path, version == json.end() ? "missing" : version->dump(), stability_schema_version,
+                  fs::path(path).parent_path().string()));
+}
+
 void read_stability(ReportInput& input) {
   StabilityInput out;
-  out.summary = read_json(input.folder + "/stability.json", "superstep.stability");
-  for (const char* name : {"methods", "critical_step", "rounding", "sweeps"})
+  const std::string path = input.folder + "/stability.json";
+  out.summary = read_json(path, "superstep.stability");
+  if (out.summary) require_version(*out.summary, path);
+  for (const char* name : {"methods", "critical_step", "rounding", "sweeps", "states"})
     if (const std::string file = fmt::format("{}/stability_{}.csv", input.folder, name); exists(file))
       out.tables.emplace(name, std::make_unique<CsvTable>(file));
   if (out.summary || !out.tables.empty()) input.stability = std::move(out);

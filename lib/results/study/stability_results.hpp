@@ -39,20 +39,25 @@ struct MethodStability {
 inline constexpr const char* certified_bound = "certified";
 inline constexpr const char* published_rule = "published rule";
 
+/// What a perturbation does step by step: a factor within 1e-4 of 1 can not be told apart from it.
+enum class Tendency { decays, grows, unclear };
+
 /// One estimate of forward Euler's critical step.
 struct StepEstimate {
   std::string name;
   double step = 0;              ///< s
   std::optional<double> alpha;  ///< of the pairwise step without interface
   double of_limit = 0;          ///< of the limit found by bisection
-  bool stable = false;          ///< outcome of an actual run at that step
+  double growth = 0;            ///< measured: factor per step at that step
+  Tendency tendency = Tendency::decays;
   std::string note;
 };
+[[nodiscard]] const char* stable_word(Tendency tendency);  ///< "yes", "no" or "can not be told apart"
 
 struct CriticalStepStudy {
-  double limit = 0;  ///< s, by bisection; infinite when nothing limits the step
+  double limit = 0;  ///< s, longest step without growth; infinite when nothing limits the step
   int runs = 0;
-  std::uint64_t steps_per_run = 0;
+  int steps_per_run = 0;
   double lanczos_ratio = 0;  ///< (2/lambda_max) / limit
   bool agrees = false;       ///< within 1 %
   std::vector<StepEstimate> estimates;
@@ -101,16 +106,47 @@ struct Verdict {
 };
 [[nodiscard]] const char* grade_name(Verdict::Grade grade);
 
+/// Longest stable step of one method at one frozen state.
+struct FrozenLimit {
+  enum class Verdict { agrees, differs, not_predicted };
+  std::string family, parameters;             ///< as in MethodStability
+  std::string spec;                           ///< at the measured limit
+  std::optional<double> predicted;            ///< s, from eigenvalues
+  double measured = 0;                        ///< s, longest step without growth; infinite when none grows
+  std::optional<double> growth_at_predicted;  ///< measured factor per step
+  Verdict verdict = Verdict::agrees;          ///< within 2 %
+};
+[[nodiscard]] const char* verdict_name(FrozenLimit::Verdict verdict);
+
+/// A scene frozen at one state of a run: what its Jacobian allows.
+struct FrozenState {
+  double part = 0;  ///< of t_end [-]
+  double time = 0;  ///< s
+  std::size_t unknowns = 0;
+  std::string spectrum;         ///< "symmetric", "real" or "complex"
+  std::string found_by;         ///< "Lanczos", "all eigenvalues" or "Arnoldi"
+  double lambda_max = 0;        ///< modulus of the eigenvalue that limits forward Euler [1/s]
+  double lambda_imaginary = 0;  ///< its imaginary part [1/s]
+  double lambda_residual = 0;   ///< 1/s
+  double rising = 0;            ///< rate at which some perturbation grows by itself, else 0 [1/s]
+  double certified_bound = 0;   ///< of the spectral radius [1/s]
+  std::vector<FrozenLimit> limits;
+};
+
 struct StabilityResults {
   std::string case_name, title;
   bool quick = false;
+  /// Modes are the same at all times: `methods` and `critical_step` say something only then.
+  bool linear = true;
   std::size_t unknowns = 0;
-  double lambda_max = 0;       ///< 1/s
+  double lambda_max = 0;       ///< 1/s, the largest among the states
   double lambda_residual = 0;  ///< 1/s
   std::vector<MethodStability> methods;
   CriticalStepStudy critical_step;
   std::vector<RoundingGrowth> rounding;
   std::vector<SweepPoint> sweeps;
+  std::vector<FrozenState> states;
+  std::vector<std::string> notes;  ///< about the states: what was left out, and why
   std::vector<Verdict> verdicts;
 };
 

@@ -57,9 +57,11 @@ StabilityTable methods_table(const StabilityResults& results) {
 }
 
 StabilityTable critical_step_table(const StabilityResults& results) {
-  StabilityTable table{"critical_step", {"estimate", "step_s", "alpha", "of_limit", "stable", "note"}, {}};
+  StabilityTable table{
+      "critical_step", {"estimate", "step_s", "alpha", "of_limit", "stable", "note", "growth"}, {}};
   for (const auto& e : results.critical_step.estimates)
-    table.rows.push_back({e.name, number(e.step), number(e.alpha), number(e.of_limit), e.stable, e.note});
+    table.rows.push_back({e.name, number(e.step), number(e.alpha), number(e.of_limit),
+                          stable_word(e.tendency), e.note, number(e.growth)});
   return table;
 }
 
@@ -91,6 +93,24 @@ StabilityTable sweeps_table(const StabilityResults& results) {
   return table;
 }
 
+StabilityTable states_table(const StabilityResults& results) {
+  StabilityTable table{
+      "states",
+      {"part_of_run", "time_s", "unknowns", "spectrum", "eigenvalues_by", "lambda_max", "lambda_imaginary",
+       "lambda_residual", "rising_rate", "certified_bound", "method", "parameters", "spec",
+       "limit_predicted_s", "limit_measured_s", "predicted_over_measured", "growth_at_predicted", "verdict"},
+      {}};
+  for (const auto& s : results.states)
+    for (const auto& m : s.limits)
+      table.rows.push_back({number(s.part), number(s.time), count(s.unknowns), s.spectrum, s.found_by,
+                            number(s.lambda_max), number(s.lambda_imaginary), number(s.lambda_residual),
+                            number(s.rising), number(s.certified_bound), m.family, m.parameters, m.spec,
+                            number(m.predicted), number(m.measured),
+                            m.predicted ? number(*m.predicted / m.measured) : Cell(),
+                            number(m.growth_at_predicted), verdict_name(m.verdict)});
+  return table;
+}
+
 Json rows_json(const StabilityTable& table) {
   Json rows = Json::array();
   for (const auto& row : table.rows) {
@@ -115,6 +135,30 @@ const char* grade_name(Verdict::Grade grade) {
   return "";
 }
 
+const char* stable_word(Tendency tendency) {
+  switch (tendency) {
+    case Tendency::decays:
+      return "yes";
+    case Tendency::grows:
+      return "no";
+    case Tendency::unclear:
+      return "can not be told apart";
+  }
+  return "";
+}
+
+const char* verdict_name(FrozenLimit::Verdict verdict) {
+  switch (verdict) {
+    case FrozenLimit::Verdict::agrees:
+      return "agrees";
+    case FrozenLimit::Verdict::differs:
+      return "differs";
+    case FrozenLimit::Verdict::not_predicted:
+      return "no prediction";
+  }
+  return "";
+}
+
 std::string StabilityTable::csv() const {
   std::string out = fmt::format("{}\n", fmt::join(columns, ","));
   for (const auto& row : rows) {
@@ -128,22 +172,24 @@ std::string StabilityTable::csv() const {
 
 std::vector<StabilityTable> stability_tables(const StabilityResults& results) {
   return {methods_table(results), critical_step_table(results), rounding_table(results),
-          sweeps_table(results)};
+          sweeps_table(results), states_table(results)};
 }
 
 std::string stability_json(const StabilityResults& results) {
   const auto finite = [](double value) { return std::visit(JsonValue{}, number(value)); };
   Json out = {{"schema", "superstep.stability"},
-              {"schema_version", 1},
+              {"schema_version", stability_schema_version},
               {"case", results.case_name},
               {"title", results.title},
               {"quick", results.quick},
+              {"linear", results.linear},
               {"unknowns", results.unknowns},
               {"lambda_max", finite(results.lambda_max)},
               {"lambda_max_residual", finite(results.lambda_residual)},
               {"limit_by_bisection", finite(results.critical_step.limit)},
               {"lanczos_over_bisection", finite(results.critical_step.lanczos_ratio)}};
   for (const auto& table : stability_tables(results)) out[table.name] = rows_json(table);
+  out["notes"] = results.notes;
   out["verdicts"] = Json::array();
   for (const auto& verdict : results.verdicts)
     out["verdicts"].push_back(

@@ -1,5 +1,5 @@
 #pragma once
-/// The stability laboratory's results for machines: four CSV files and one JSON object from the same tables.
+/// The stability laboratory's results for machines: five CSV files and one JSON object from the same tables.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@ namespace superstep {
 /// One table; an empty cell is a value that does not exist or is not finite.
 struct StabilityTable {
   using Cell = std::variant<std::monostate, std::string, std::int64_t, double, bool>;
-  std::string name;  ///< "methods", "critical_step", "rounding", "sweeps"
+  std::string name;  ///< "methods", "critical_step", "rounding", "sweeps", "states"
   std::vector<std::string> columns;
   std::vector<std::vector<Cell>> rows;
 
@@ -22,6 +22,9 @@ struct StabilityTable {
 };
 
 [[nodiscard]] std::vector<StabilityTable> stability_tables(const StabilityResults& results);
+
+/// Of stability.json: 2 since it holds frozen states.
+constexpr int stability_schema_version = 2;
 
 /// All tables, each as an array of objects with the CSV columns as keys, and the verdicts.
 [[nodiscard]] std::string stability_json(const StabilityResults& results);

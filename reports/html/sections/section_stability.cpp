@@ -193,6 +193,46 @@ std::string methods_table(const CsvTable& table) {
              : "<details><summary>Every method and parameter set</summary>\n" + out.html() + "</details>\n";
 }
 
+std::string states_table(const CsvTable& table) {
+  HtmlTable out({{"t [s]", "of the state at which the scene was frozen"},
+                 {"spectrum", "", false},
+                 {"|λ| [1/s]", "of the eigenvalue that limits forward Euler"},
+                 {"bound [1/s]", "certified, of the spectral radius"},
+                 {"method", "", false},
+                 {"parameters", "", false},
+                 {"predicted [s]", "longest stable step, from eigenvalues"},
+                 {"measured [s]", "longest step without growth"},
+                 {"ratio", "predicted over measured"},
+                 {"verdict", "within 2 %", false}},
+                true);
+  const auto column = [&](const char* name) { return table.column(name); };
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string verdict = table.text(row, column("verdict"));
+    out.add_row({number_cell(table.number(row, column("time_s")), 4),
+                 {.text = table.text(row, column("spectrum"))},
+                 number_cell(table.number(row, column("lambda_max")), 5),
+                 number_cell(table.number(row, column("certified_bound")), 5),
+                 {.text = table.text(row, column("method"))},
+                 {.text = table.text(row, column("parameters"))},
+                 number_cell(table.number(row, column("limit_predicted_s")), 5),
+                 number_cell(table.number(row, column("limit_measured_s")), 5),
+                 number_cell(table.number(row, column("predicted_over_measured")), 4),
+                 {.text = verdict,
+                  .kind = verdict == "agrees"    ? "good"
+                          : verdict == "differs" ? "bad"
+                                                 : "warn"}});
+  }
+  return out.empty() ? "" : "<h4>Limits at states of a run</h4>\n" + out.html();
+}
+
+std::string notes_text(const StabilityInput& input) {
+  if (!input.summary || !input.summary->contains("notes")) return {};
+  std::string out;
+  for (const auto& note : input.summary->at("notes"))
+    if (note.is_string()) out += fmt::format("<p>{}</p>\n", html_text(note.get<std::string>()));
+  return out;
+}
+
 }  // namespace
 
 std::string stability_section(const StabilityInput& input) {
@@ -205,6 +245,7 @@ std::string stability_section(const StabilityInput& input) {
     figures += overshoot_figure(*table, "nu", "nu", "damping ν");
     figures += overshoot_figure(*table, "contrast", "contrast", "contrast of conductances");
   }
+  if (const auto* table = table_of(input, "states")) tables += states_table(*table) + notes_text(input);
   if (const auto* table = table_of(input, "methods")) tables += methods_table(*table);
   const std::string of = input.summary ? " of " + input.summary->value("case", std::string("a case")) : "";
   return html_section("stability", "Where methods are stable",
