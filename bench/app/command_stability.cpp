@@ -1,5 +1,7 @@
 /// superstep stability: where each method is safe on a case, by theory and by measurement.
 
+#include <optional>
+
 #include "bench/app/commands.hpp"
 #include "bench/console/progress.hpp"
 #include "bench/lab/lab.hpp"
@@ -12,13 +14,15 @@
 namespace superstep {
 
 int execute(const StabilityCommand& command) {
-  if (!command.out.empty()) require_writable_folder(command.out);
+  std::optional<OutputFolder> locked;
+  if (!command.out.empty()) locked.emplace(command.out);
   const Scene scene = load_scene(command.case_file);
   const bool quiet = command.common.quiet;
   if (!quiet) warn(scene.warnings);
   Progress progress(!quiet && stderr_is_terminal());
   const StabilityResults results = run_stability_lab(scene, command.quick, progress);
   if (!command.out.empty()) {
+    remove_stale_file(command.out + "/stability.json");  // it speaks for the tables: gone first, written last
     for (const auto& table : stability_tables(results))
       write_file_atomically(command.out + "/" + table.file_name(), table.csv());
     write_file_atomically(command.out + "/stability.json", stability_json(results));

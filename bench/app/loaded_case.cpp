@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <map>
+
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text_file.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
@@ -19,6 +23,18 @@ LoadedCase load_case(const std::string& file) {
     throw InputError(fmt::format("{}: [bench]: {}", file, error.what()));
   }
   return {std::move(scene), cpu_setup};
+}
+
+void require_distinct_names(const std::vector<std::string>& files) {
+  std::map<std::string, std::string> file_of;
+  for (const auto& file : files) {
+    const auto [first, is_new] = file_of.emplace(std::filesystem::path(file).stem().string(), file);
+    if (!is_new)
+      throw UsageError(
+          fmt::format("bench: {} and {} are both named '{}', and results go by the name; rename a file, or "
+                      "measure them on their own",
+                      superstep::quoted(first->second), superstep::quoted(file), first->first));
+  }
 }
 
 void check_specs(const std::vector<std::string>& specs) {

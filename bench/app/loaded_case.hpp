@@ -16,6 +16,9 @@ struct LoadedCase {
 /// Loads the scene and checks the SPECs of its [bench] table. Throws InputError.
 [[nodiscard]] LoadedCase load_case(const std::string& file);
 
+/// Throws UsageError when two cases of one command share a name: results go by it.
+void require_distinct_names(const std::vector<std::string>& files);
+
 /// Checks SPECs of the command line. Throws UsageError.
 void check_specs(const std::vector<std::string>& specs);
 
