@@ -96,9 +96,10 @@ class Automatic final : public Method {
     const std::string spec =
         implicit_cost < explicit_cost ? fmt::format("cvode:rtol={:.3g}", third) : best->spec;
     const bool implicit = implicit_cost < explicit_cost;
-    choice_ = fmt::format("{}, because it costs about {:.0f} sweeps over the network; {} would cost the work of {:.0f}",
-                          spec, implicit ? implicit_cost : explicit_cost, implicit ? best->spec : "cvode",
-                          implicit ? explicit_cost : implicit_cost);
+    choice_ = fmt::format(
+        "{}, because it costs about {:.0f} sweeps over the network; {} would cost the work of {:.0f}", spec,
+        implicit ? implicit_cost : explicit_cost, implicit ? best->spec : "cvode",
+        implicit ? explicit_cost : implicit_cost);
     return spec;
   }
 

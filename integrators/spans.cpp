@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
@@ -117,6 +118,9 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
       integrator.prepare(rhs, pilot);
       integrator.start(t, y);
       outcome = integrator.advance(plan.output_times.back());
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::numerical) throw;  // no fault of the method
+      outcome = {Status::failed, error.what()};
     } catch (const std::exception& error) {
       outcome = {Status::failed, error.what()};
     }

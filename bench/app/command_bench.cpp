@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "bench/app/cli/cli_values.hpp"
 #include "bench/app/cli/command_entry.hpp"
@@ -29,6 +30,7 @@ std::vector<LoadedCase> load_all(const BenchCommand& command) {
   const auto& reference = command.harness.reference;
   if (!reference.empty() && reference != "none") check_specs({reference});
   std::vector<LoadedCase> cases;
+  require_distinct_names(command.case_files);
   for (const auto& file : command.case_files) cases.push_back(load_bench_case(file));
   return cases;
 }
@@ -38,8 +40,12 @@ std::string output_folder(const BenchCommand& command, const std::vector<LoadedC
   return default_output_folder(cases.size() == 1 ? cases.front().scene.name : "bench");
 }
 
-void write_results(const std::string& folder, const BenchReport& report) {
+/// results.json speaks for the others: it is gone before the first of them changes, and written last.
+void write_results(const std::string& folder, const BenchReport& report,
+                   const std::vector<LoadedCase>& cases) {
+  remove_stale_file(folder + "/results.json");
   write_file_atomically(folder + "/results.csv", results_csv(report.cases));
+  if (!report.interrupted) write_observation_files(folder, report, cases);
   write_file_atomically(folder + "/results.json", results_json(report));
 }
 
@@ -110,7 +116,7 @@ int execute(const BenchCommand& command) {
   if (moving > 0) return bench_sintering(command);
   const auto cases = load_all(command);
   const std::string folder = output_folder(command, cases);
-  require_writable_folder(folder);
+  const OutputFolder locked(folder);
   const bool quiet = command.common.quiet;
   Progress progress(!quiet && stderr_is_terminal());
   HarnessOptions options = command.harness;
@@ -130,14 +136,14 @@ int execute(const BenchCommand& command) {
     print_data(results_table(done, options.repetitions, options.threads, use_color(command.common.color)));
   }
   report.interrupted = stop_flag();
-  write_results(folder, report);
-  if (!command.report) remove_stale_file(folder + "/report.html");
-  if (!report.interrupted) write_observation_files(folder, report, cases);
+  write_results(folder, report, cases);
   if (command.common.json) print_data(results_json(report));
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
   if (command.report) {
     const std::string file = write_report(folder);
     if (!quiet) note("report in " + file);
+  } else if (std::error_code ignored; !quiet && std::filesystem::exists(folder + "/report.html", ignored)) {
+    note(fmt::format("{0}/report.html shows earlier results; renew it with superstep report {0}", folder));
   }
   if (report.interrupted) return interrupted_exit_code;
   return static_cast<int>(exit_code(report));

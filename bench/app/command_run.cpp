@@ -125,7 +125,7 @@ int execute(const RunCommand& command) {
   const auto specs = specs_of(command);
   const auto folders =
       folders_of(command.out.empty() ? default_output_folder(scene.name) : command.out, specs);
-  for (const auto& folder : folders) require_writable_folder(folder);
+  const std::vector<OutputFolder> locked(folders.begin(), folders.end());
   const bool quiet = command.common.quiet;
   if (!quiet) warn(scene.warnings);
   catch_interrupts();
@@ -135,8 +135,10 @@ int execute(const RunCommand& command) {
   bool all_ok = true;
   for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
     std::optional<VtkSeries> vtk;
-    remove_vtk_series(folders[k]);  // old fields beside new ones mislead
+    begin_run_files(folders[k]);
     if (command.vtk) vtk.emplace(scene, folders[k]);
+    if (!command.vtk && !quiet && has_vtk_series(folders[k]))
+      note(fmt::format("{}/vtk holds the fields of an earlier run", folders[k]));
     const FinishedRun run =
         integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr, command.verify);
     RunRecord record = record_run(scene, specs[k], run.result);

@@ -1,5 +1,7 @@
 /// superstep stability: where each method is safe on a case, by theory and by measurement.
 
+#include <optional>
+
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/host/progress.hpp"
@@ -24,13 +26,15 @@ Command from_line(const Arguments& values) {
 }  // namespace
 
 int execute(const StabilityCommand& command) {
-  if (!command.out.empty()) require_writable_folder(command.out);
+  std::optional<OutputFolder> locked;
+  if (!command.out.empty()) locked.emplace(command.out);
   const Scene scene = load_scene(command.case_file);
   const bool quiet = command.common.quiet;
   if (!quiet) warn(scene.warnings);
   Progress progress(!quiet && stderr_is_terminal());
   const StabilityResults results = run_stability_lab(scene, command.quick, progress);
   if (!command.out.empty()) {
+    remove_stale_file(command.out + "/stability.json");  // it speaks for the tables: gone first, written last
     for (const auto& table : stability_tables(results))
       write_file_atomically(command.out + "/" + table.file_name(), table.csv());
     write_file_atomically(command.out + "/stability.json", stability_json(results));
@@ -43,20 +47,22 @@ int execute(const StabilityCommand& command) {
 }
 
 CommandEntry stability_command() {
-  return {.name = "stability",
-          .does = "stability laboratory: where each method is safe on a case, and where not",
-          .examples =
-              "  superstep stability cases/nial_thermal.toml\n"
-              "  superstep stability cases/chain.toml --quick\n"
-                      "  superstep stability cases/lattice_two_way.toml --quick\n"
-              "  superstep stability cases/nial_thermal.toml --out result --json",
-          .positional = "CASE",
-          .positional_meaning = "case file (TOML)",
-          .options = {{"--out", &Arguments::out,
-                       "folder for stability_*.csv: methods, critical_step, rounding, sweeps, states (default: none)",
-                       "DIR"},
-                      {"--quick", &Arguments::quick, "fewer parameter sets, done in seconds", ""}},
-          .make = from_line};
+  return {
+      .name = "stability",
+      .does = "stability laboratory: where each method is safe on a case, and where not",
+      .examples =
+          "  superstep stability cases/nial_thermal.toml\n"
+          "  superstep stability cases/chain.toml --quick\n"
+          "  superstep stability cases/lattice_two_way.toml --quick\n"
+          "  superstep stability cases/nial_thermal.toml --out result --json",
+      .positional = "CASE",
+      .positional_meaning = "case file (TOML)",
+      .options =
+          {{"--out", &Arguments::out,
+            "folder for stability_*.csv: methods, critical_step, rounding, sweeps, states (default: none)",
+            "DIR"},
+           {"--quick", &Arguments::quick, "fewer parameter sets, done in seconds", ""}},
+      .make = from_line};
 }
 
 }  // namespace superstep

@@ -25,8 +25,10 @@ int execute(const WorkPrecisionCommand& command) {
   check_specs(command.options.integrators);
   if (!command.options.reference.empty()) check_specs({command.options.reference});
   std::vector<LoadedCase> cases;
+  require_distinct_names(command.case_files);
   for (const auto& file : command.case_files) cases.push_back(load_bench_case(file));
-  for (const auto& one : cases) require_writable_folder(folder_of(command, one.scene));
+  std::vector<OutputFolder> locked;
+  for (const auto& one : cases) locked.emplace_back(folder_of(command, one.scene));
   Progress progress(!command.common.quiet && stderr_is_terminal());
   WorkPrecisionOptions options = command.options;
   options.threads = command.common.threads;

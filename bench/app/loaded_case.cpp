@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <map>
+
 #include "case/checks/warnings.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/text_file.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
@@ -30,6 +34,18 @@ LoadedCase load_bench_case(const std::string& file) {
                      "; a benchmark of it would not end: mend length_unit, or run one method with `run`");
   if (!scene.own_output_times) scene.output_times = {0.02 * scene.t_end, 0.1 * scene.t_end, scene.t_end};
   return one;
+}
+
+void require_distinct_names(const std::vector<std::string>& files) {
+  std::map<std::string, std::string> file_of;
+  for (const auto& file : files) {
+    const auto [first, is_new] = file_of.emplace(std::filesystem::path(file).stem().string(), file);
+    if (!is_new)
+      throw UsageError(
+          fmt::format("bench: {} and {} are both named '{}', and results go by the name; rename a file, or "
+                      "measure them on their own",
+                      superstep::quoted(first->second), superstep::quoted(file), first->first));
+  }
 }
 
 void check_specs(const std::vector<std::string>& specs) {

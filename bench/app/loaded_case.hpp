@@ -21,6 +21,9 @@ struct LoadedCase {
 /// slip in a unit: such a benchmark would not end.
 [[nodiscard]] LoadedCase load_bench_case(const std::string& file);
 
+/// Throws UsageError when two cases of one command share a name: results go by it.
+void require_distinct_names(const std::vector<std::string>& files);
+
 /// Checks SPECs of the command line. Throws UsageError.
 void check_specs(const std::vector<std::string>& specs);
 

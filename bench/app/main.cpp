@@ -14,6 +14,7 @@
 
 int main(int argc, char** argv) {
   using namespace superstep;
+  prepare_streams();
   try {
     const Command command = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));
     return std::visit(
@@ -23,12 +24,12 @@ int main(int argc, char** argv) {
         },
         command);
   } catch (const Error& error) {
-    note(std::string("error: ") + error.what());
+    note("error: ", error.what());
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
-    note("error: out of memory");
+    note("error: ", "out of memory; give it more, or a smaller case");
   } catch (const std::exception& error) {
-    note(std::string("error: internal: ") + error.what());
+    note("error: internal: ", error.what());
   }
   return static_cast<int>(ExitCode::internal);
 }

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <system_error>
 
+#include "bench/host/terminal.hpp"
 #include "core/stopwatch.hpp"
 
 namespace superstep {
@@ -16,8 +17,7 @@ constexpr const char* clear_line = "\r\033[K";
 
 // Wrapping is off while the line is written: a long one is cut at the edge instead of filling the screen.
 void write_line(const std::string& text) {
-  fmt::print(stderr, "{}\033[?7l{}\033[?7h", clear_line, text);
-  std::fflush(stderr);
+  say(fmt::format("{}\033[?7l{}\033[?7h", clear_line, text));
 }
 
 }  // namespace
@@ -43,7 +43,10 @@ void Progress::begin(std::string label, double goal) {
   began_ = wall_seconds();
   position_ = reached_at_ = watched_ = 0;
   shown_ = true;
-  ticker_ = std::jthread([this](std::stop_token stop) { tick(std::move(stop)); });
+  try {
+    ticker_ = std::jthread([this](std::stop_token stop) { tick(std::move(stop)); });
+  } catch (const std::system_error&) {  // no thread to be had: the work goes on unwatched
+  }
 }
 
 void Progress::begin_timed(const std::string& label) {

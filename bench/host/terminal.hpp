@@ -19,9 +19,19 @@ enum class ColorMode { automatic, always, never };
 /// Data on stdout, at once. Throws OutputError when it does not get there (full disk, closed pipe).
 void print_data(std::string_view text);
 
-/// "superstep: <text>" on stderr.
-void note(const std::string& text);
+/// Text on stderr as it is. Never throws and allocates nothing: what cannot be said is not said.
+void say(std::string_view text) noexcept;
+
+/// "superstep: <text>" on stderr, in one line whatever the text holds. Never throws and allocates nothing, so
+/// that it can say what went wrong where nothing works any more.
+void note(std::string_view text) noexcept;
+/// "superstep: <kind><text>", e.g. "superstep: error: ...".
+void note(std::string_view kind, std::string_view text) noexcept;
 /// "superstep: warning: <text>" for each one.
-void warn(const std::vector<std::string>& texts);
+void warn(const std::vector<std::string>& texts) noexcept;
+
+/// To be called once, first: a file opened later must not become the standard output of somebody who closed
+/// his, and a full file or a closed pipe is an error to report, not a signal to die of.
+void prepare_streams() noexcept;
 
 }  // namespace superstep

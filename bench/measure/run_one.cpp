@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "integrators/registry.hpp"
 
@@ -98,6 +99,10 @@ Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& requ
     return {Status::refused, refused.what()};
   } catch (const std::bad_alloc&) {
     return {Status::failed, "out of memory"};
+  } catch (const Error& error) {
+    // A file that cannot be written is no fault of the method.
+    if (error.code() != ExitCode::numerical) throw;
+    return {Status::failed, error.what()};
   } catch (const std::exception& error) {
     return {Status::failed, error.what()};
   }

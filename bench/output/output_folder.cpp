@@ -1,9 +1,11 @@
 #include "bench/output/output_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
-#include <cstring>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 
@@ -26,6 +28,21 @@ void require_writable_folder(const std::string& folder) {
   if (error)
     throw OutputError(fmt::format("{}: results cannot be written there: {}; choose another folder with --out",
                                   folder, error.message()));
+}
+
+OutputFolder::OutputFolder(const std::string& folder) {
+  require_writable_folder(folder);
+  descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(descriptor_);
+  throw OutputError(fmt::format(
+      "{}: another superstep is writing results there; wait for it, or choose another folder with "
+      "--out",
+      folder));
+}
+
+OutputFolder::~OutputFolder() {
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void remove_stale_file(const std::string& path) noexcept {

@@ -142,6 +142,10 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .libraries = library_facts()};
 }
 
+void begin_run_files(const std::string& folder) noexcept {
+  remove_stale_file(folder + "/run.json");
+}
+
 std::string write_run_files(const std::string& folder, const Scene& scene, const ProbeSet& probes,
                             const RunResult& run, std::span<const double> final_state, RunRecord record) {
   const auto write_or_remove = [&](const std::string& name, bool wanted, auto content) {

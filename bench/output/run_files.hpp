@@ -22,8 +22,11 @@ namespace superstep {
 /// What run.json says; set-up time, threads and files are filled in by those who know them.
 [[nodiscard]] RunRecord record_run(const Scene& scene, const std::string& spec, const RunResult& run);
 
-/// Writes final.csv and, when there are probes, probes.csv if the run succeeded, and run.json in any case;
-/// removes those of an earlier run that this one did not produce. Returns the text of run.json. Throws
+/// Removes run.json, which speaks for the other files, before the first of them changes.
+void begin_run_files(const std::string& folder) noexcept;
+
+/// Writes final.csv and, when there are probes, probes.csv if the run succeeded, and run.json in any case and
+/// last; removes those of an earlier run that this one did not produce. Returns the text of run.json. Throws
 /// OutputError.
 std::string write_run_files(const std::string& folder, const Scene& scene, const ProbeSet& probes,
                             const RunResult& run, std::span<const double> final_state, RunRecord record);

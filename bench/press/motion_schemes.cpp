@@ -84,7 +84,7 @@ SteppingSettings plain(const SinteringCase& one, double fraction) {
 }  // namespace
 
 MotionComparison compare_motion_schemes(const SinteringCase& one, Progress& progress) {
-  const auto [begin, end] = one.motion_window.value();
+  const double begin = one.motion_window.value().first, end = one.motion_window->second;
   MotionComparison result{
       .begin = begin, .end = end, .travelled = 0, .reference = {}, .reference_error = 0, .rows = {}};
   progress.begin(one.name + ": motion", 1);

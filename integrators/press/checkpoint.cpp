@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -32,6 +33,7 @@ class Writer {
     put(static_cast<std::uint64_t>(values.size()));
     for (const auto& value : values) put(value);
   }
+  void put(const std::string& text) { put(std::vector<char>(text.begin(), text.end())); }
   [[nodiscard]] const std::string& bytes() const noexcept { return bytes_; }
 
  private:
@@ -55,6 +57,11 @@ class Reader {
     if (size > rest_.size()) need(rest_.size() + 1);
     values.resize(static_cast<std::size_t>(size));
     for (auto& value : values) get(value);
+  }
+  void get(std::string& text) {
+    std::vector<char> letters;
+    get(letters);
+    text.assign(letters.begin(), letters.end());
   }
   void finish() const {
     if (!rest_.empty()) damaged();
@@ -100,6 +107,7 @@ void visit_content(Stream& stream, Content& content, Visit visit) {
   visit(stream, content.state.electric);
   visit(stream, content.state.bonds);
   visit(stream, content.next_step);
+  visit(stream, content.model);
 }
 
 }  // namespace
@@ -116,10 +124,18 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
 }
 
 Checkpoint read_checkpoint(const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw InputError(fmt::format("{}: is a folder, not a file", path));
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (error && status.type() != std::filesystem::file_type::not_found)
+    throw InputError(fmt::format("{}: cannot be read: {}", path, error.message()));
+  if (!std::filesystem::exists(status))
+    throw InputError(fmt::format("{}: no such file; check the path", path));
+  if (!std::filesystem::is_regular_file(status))
+    throw InputError(fmt::format("{}: is no file; name a checkpoint.bin", path));
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("{}: cannot be read; does the file exist?", path));
+  if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   const std::string image{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   if (!image.starts_with(magic))
     throw InputError(fmt::format("{}: is not a checkpoint of this version of the program", path));
   constexpr std::size_t checksum_size = 32;

@@ -14,6 +14,7 @@ struct Checkpoint {
   State state;
   double next_step = 0;  ///< s
   std::vector<HistoryRow> history;
+  std::string model = {};  ///< `model_description` of the press at that time
 };
 
 /// Binary image in the machine's number format, with a version and a checksum.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "dynamics/volume_fraction.hpp"
@@ -92,9 +93,10 @@ Outcome Motion::take_step(double t_out) {
   const Phase& phase = model_.schedule.at(state_.time);
   // The last phase goes on for ever: its wall stays where the schedule left it.
   const double end = state_.time < phase.end ? std::min(t_out, phase.end) : t_out;
+  const double longest = std::min({settings_.largest_step, stepper_->limit(), travel_limit()});
   for (std::int64_t rejections = 0;; ++rejections) {
     const double remaining = end - state_.time;
-    const double h = fitted(std::min({step_, settings_.largest_step, stepper_->limit()}), remaining);
+    const double h = fitted(std::min(step_, longest), remaining);
     const bool to_end = h == remaining;
     const Attempt attempt = stepper_->attempt(state_, phase, h);
     if (!attempt.failure.ok()) return attempt.failure;
@@ -113,6 +115,15 @@ Outcome Motion::take_step(double t_out) {
     if (step_ < settings_.smallest_step || state_.time + step_ <= state_.time)
       return collapsed(step_, attempt);
   }
+}
+
+/// Step in which nobody goes too far at the speed of now [s]; what forces add, the steppers watch.
+double Motion::travel_limit() const {
+  constexpr double margin = 0.8;  // for what they add
+  double fastest = 0;             // radii a second
+  for (std::size_t i = 0; i < state_.size(); ++i)
+    fastest = std::max(fastest, norm(state_.velocity[i]) / particles_.radius[i]);
+  return fastest > 0 ? margin * farthest_in_a_step / fastest : std::numeric_limits<double>::infinity();
 }
 
 void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections) {

@@ -67,6 +67,10 @@ class Stepper {
   [[nodiscard]] virtual const ThermalBridge* bridge() const noexcept = 0;
 };
 
+/// How far a particle may go in one step, in its radii: two that fly at each other are then seen to overlap,
+/// at any speed, before they could be through.
+inline constexpr double farthest_in_a_step = 0.5;
+
 [[nodiscard]] std::unique_ptr<Stepper> make_stepper(const SteppingSettings& settings, MovingNetwork& network);
 
 class Motion {
@@ -104,6 +108,7 @@ class Motion {
 
  private:
   [[nodiscard]] Outcome take_step(double t_out);
+  [[nodiscard]] double travel_limit() const;
   void accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections);
   [[nodiscard]] Outcome check() const;
   [[nodiscard]] Outcome collapsed(double h, const Attempt& attempt) const;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,6 +35,14 @@ Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
     velocity_[i] = state.velocity[i] + (h / mass[i]) * force_[i];
     position_[i] = state.position[i] + h * velocity_[i];
     temperature_[i] = state.temperature[i] + (bridge_ ? 0 : h * rate_[i]);
+  }
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double moved = norm(position_[i] - state.position[i]) / network_.particles().radius[i];
+    if (moved <= farthest_in_a_step) continue;
+    attempt.culprit = static_cast<std::int32_t>(i);
+    attempt.why = fmt::format("would go {:.3g} of its radius in one step", moved);
+    attempt.factor = farthest_in_a_step / moved;
+    return attempt;
   }
   network_.place(position_, phase, std::min(state.time + h, phase.end));
   if (bridge_) attempt.failure = bridge_->advance(network_, h, temperature_);

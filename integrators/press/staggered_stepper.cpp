@@ -20,8 +20,7 @@ StaggeredStepper::StaggeredStepper(const SteppingSettings& settings, MovingNetwo
     : settings_(settings),
       network_(network),
       bridge_(make_bridge(settings.thermal_integrator)),
-      reduction_(network.particles().size()),
-      farthest_(norm(network.model().box.max - network.model().box.min)) {
+      reduction_(network.particles().size()) {
   const std::size_t n = network.particles().size();
   for (auto* v : {&force_, &force_begin_, &position_, &position_before_, &velocity_}) v->resize(n);
   for (auto* v : {&rate_, &rate_begin_, &temperature_, &temperature_before_}) v->resize(n);
@@ -58,13 +57,15 @@ void StaggeredStepper::heat(const State& state, double h) {
     temperature_[i] = state.temperature[i] + h * (phi * rate_[i] + (1 - phi) * rate_begin_[i]);
 }
 
-/// Zohdi (2014), eq. 47. False when a position is not finite or has left all sense.
+/// Zohdi (2014), eq. 47. False when a position is not finite, or further away than a step may take it.
 bool StaggeredStepper::measure_motion(const State& state, int iteration) {
   const auto moved_by = [&](std::size_t i) { return norm(position_[i] - state.position[i]); };
   position_error_.measure(
       iteration, reduction_.sum([&](std::size_t i) { return norm(position_[i] - position_before_[i]); }),
       reduction_.sum(moved_by));
-  return reduction_.max(moved_by) <= farthest_;
+  const auto& radius = network_.particles().radius;
+  travelled_ = reduction_.max([&](std::size_t i) { return moved_by(i) / radius[i]; });
+  return travelled_ <= farthest_in_a_step;
 }
 
 /// The same for the temperatures.
@@ -80,6 +81,11 @@ bool StaggeredStepper::measure_heat(const State& state, int iteration) {
 double StaggeredStepper::factor(int iteration, double unknown) const {
   return std::min(position_error_.factor(iteration, settings_.iterations, settings_.power, unknown),
                   temperature_error_.factor(iteration, settings_.iterations, settings_.power, unknown));
+}
+
+/// How much shorter a step must be whose trial went too far; NaN went further than any number.
+double StaggeredStepper::shortened() const {
+  return travelled_ > farthest_in_a_step ? farthest_in_a_step / travelled_ : settings_.bounds.shrink;
 }
 
 Attempt StaggeredStepper::failed(const State& state, int iteration, double wanted) const {
@@ -128,11 +134,11 @@ Attempt StaggeredStepper::attempt(State& state, const Phase& phase, double h) {
   temperature_error_.begin();
   predict(state, h);
   std::copy(state.position.begin(), state.position.end(), position_before_.begin());
-  if (!measure_motion(state, 0)) return failed(state, 0, settings_.bounds.shrink);
+  if (!measure_motion(state, 0)) return failed(state, 0, shortened());
   network_.place(position_, phase, std::min(state.time + h, phase.end));
   position_error_.begin();
   for (int k = 1; k <= settings_.iterations; ++k) {
-    if (!iterate(state, phase, h, k)) return failed(state, k, settings_.bounds.shrink);
+    if (!iterate(state, phase, h, k)) return failed(state, k, shortened());
     if (position_error_.violation() > 1 || temperature_error_.violation() > 1) continue;
     Attempt attempt;
     attempt.converged = true;

@@ -37,13 +37,14 @@ class StaggeredStepper final : public Stepper {
   [[nodiscard]] Attempt failed(const State& state, int iteration, double wanted) const;
   void blame(const State& state, Attempt& attempt) const;
   [[nodiscard]] double factor(int iteration, double unknown) const;
+  [[nodiscard]] double shortened() const;
 
   SteppingSettings settings_;
   MovingNetwork& network_;
   std::optional<ThermalBridge> bridge_;
   Reduction reduction_;
-  double farthest_;  // m; a trial position further away than this has left all sense
   double wall_force_ = 0;
+  double travelled_ = 0;  // of the trial at hand: the longest way, in radii
   std::vector<Vec3> force_, force_begin_, position_, position_before_, velocity_;
   std::vector<double> rate_, rate_begin_, temperature_, temperature_before_;
   FieldError position_error_, temperature_error_;

@@ -5,6 +5,7 @@
 
 #include "case/build_rhs.hpp"
 #include "case/checks/law_ranges.hpp"
+#include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/content_hash.hpp"
 #include "case/materials.hpp"
@@ -111,8 +112,7 @@ void require_temperature(const TomlTable& electric, const FieldScene& potential)
 Coupling read_particles(TomlTable& root, Scene& scene) {
   auto thermal = root.table("thermal"), electric = root.table("electric");
   if (!thermal && !electric)
-    throw InputError(fmt::format("{}: neither [thermal] nor [electric] is there; give one field to integrate",
-                                 root.where()));
+    root.missing("thermal", "neither [thermal] nor [electric] is there; give one field to integrate");
   PackingInput input = read_packing_scene(root);
   Materials materials(root, input.scene.packing);
   Coupling coupling = read_coupling(root, thermal && electric);
@@ -153,6 +153,7 @@ Scene load_scene(const std::string& path) {
     coupling = read_particles(root, scene);
   root.finish();
   scene.content_hash = content_hash(root);
+  require_workable_numbers(scene);
   require_laws_to_hold(scene);
   build_rhs(path, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);

@@ -27,11 +27,17 @@ Conduction read_conduction(TomlTable& table, const std::string& capacity_key) {
   return conduction;
 }
 
-std::int32_t material_index(const TomlValue& name, const std::vector<std::string>& names) {
-  const auto found = std::find(names.begin(), names.end(), name.string());
-  if (found == names.end())
-    name.reject("it must be the name of one of [[materials]]" + suggestion(name.string(), names));
-  return static_cast<std::int32_t>(found - names.begin());
+/// The fields that a material or an interface may describe, with the keys of their capacities. A case need
+/// not have them all: a material may say more than this case asks.
+constexpr std::pair<const char*, const char*> fields[] = {{"thermal", "specific_heat"},
+                                                          {"electric", "specific_capacity"}};
+
+void check_fields(TomlTable& table) {
+  for (const auto& [key, capacity_key] : fields) {
+    auto field = table.table(key);
+    if (!field) continue;
+    (void)read_conduction(*field, field->find(capacity_key) ? capacity_key : "");
+  }
 }
 
 }  // namespace
@@ -47,58 +53,104 @@ Materials::Materials(TomlTable& root, const Packing& packing) {
   const auto several = root.find("materials");
   if (!several) {
     auto one = root.table("material");
-    if (!one)
-      throw InputError(
-          fmt::format("{}: [material] is missing; give at least its density [kg/m3]", root.where()));
+    if (!one) root.missing("material", "[material] is missing; give at least its density [kg/m3]");
     density_.assign(std::max<std::size_t>(1, packing.material_names.size()),
                     one->positive("density", "kg/m3"));
     return;
   }
   if (root.find("material")) several->reject("give either [material] or [[materials]], not both");
-  names_ = packing.material_names;
-  if (names_.empty())
+  if (packing.material_names.empty())
     several->reject("the packing has no material column; add one, or give a single [material]");
-  std::vector<std::string> given;
-  std::vector<TomlTable> tables;
-  for (const auto& value : several->array()) {
-    tables.push_back(value.table());
-    given.push_back(tables.back().require("name", "it names the material as the packing does").string());
-    if (std::count(given.begin(), given.end(), given.back()) > 1)
-      value.reject(fmt::format("the material '{}' stands twice; keep one", given.back()));
+  read_materials(*several, packing);
+  if (const auto interfaces = root.find("interfaces")) read_interfaces(*interfaces);
+}
+
+void Materials::read_materials(const TomlValue& list, const Packing& packing) {
+  std::vector<std::string> names;
+  std::vector<double> densities;
+  for (const auto& value : list.array()) {
+    TomlTable table = value.table();
+    const auto name = table.require("name", "it names the material as the packing does");
+    if (std::find(names.begin(), names.end(), name.string()) != names.end())
+      value.reject(fmt::format("the material '{}' stands twice; keep one", name.string()));
+    names.push_back(name.string());
+    densities.push_back(table.positive("density", "kg/m3"));
+    check_fields(table);
+    given_.push_back({names.back(), table});
   }
-  for (const auto& name : names_) {
-    const auto found = std::find(given.begin(), given.end(), name);
-    if (found == given.end())
-      several->reject(fmt::format("the packing uses the material '{}', which is not among [[materials]]{}",
-                                  name, suggestion(name, given)));
-    tables_.push_back(tables[static_cast<std::size_t>(found - given.begin())]);
-    density_.push_back(tables_.back().positive("density", "kg/m3"));
+  for (const auto& name : packing.material_names) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      list.reject(fmt::format("the packing uses the material '{}', which is not among [[materials]]{}", name,
+                              suggestion(name, names)));
+    used_.push_back(static_cast<std::size_t>(found - names.begin()));
+    density_.push_back(densities[used_.back()]);
   }
-  if (const auto interfaces = root.find("interfaces"))
-    for (const auto& value : interfaces->array()) interfaces_.push_back(value.table());
+}
+
+void Materials::read_interfaces(const TomlValue& list) {
+  std::vector<std::string> names;
+  for (const auto& one : given_) names.push_back(one.name);
+  const auto index = [&](const TomlValue& name) {
+    const auto found = std::find(names.begin(), names.end(), name.string());
+    if (found == names.end())
+      name.reject("it must be the name of one of [[materials]]" + suggestion(name.string(), names));
+    return static_cast<std::int32_t>(found - names.begin());
+  };
+  for (const auto& value : list.array()) {
+    TomlTable table = value.table();
+    const auto between = table.require("between", "it names two materials");
+    const auto pair = between.array();
+    if (pair.size() != 2) between.reject("it must name two materials");
+    const auto a = index(pair[0]), b = index(pair[1]);
+    add_interface(table, {std::min(a, b), std::max(a, b)});
+  }
+}
+
+void Materials::add_interface(TomlTable& table, std::pair<std::int32_t, std::int32_t> between) {
+  bool says_something = false;
+  for (const auto& [key, capacity_key] : fields) {
+    auto boundary = table.table(key);
+    if (!boundary) continue;
+    says_something = true;
+    for (const auto& earlier : interfaces_)
+      if (earlier.key == key && earlier.between == between)
+        throw InputError(
+            fmt::format("{}: the {} interface between '{}' and '{}' stands already in {}; keep one",
+                        boundary->where(), key, given_[static_cast<std::size_t>(between.first)].name,
+                        given_[static_cast<std::size_t>(between.second)].name, earlier.place));
+    interfaces_.push_back({key, boundary->where(), between, read_interface(*boundary)});
+  }
+  if (!says_something)
+    table.missing("thermal",
+                  "it describes no interface; give thermal or electric = { thickness, reduction }");
 }
 
 FieldMaterials Materials::field(const std::string& key, TomlTable& field_table,
                                 const std::string& capacity_key) {
   FieldMaterials out;
   if (auto boundary = field_table.table("grain_boundary")) out.grain_boundary = read_interface(*boundary);
-  if (tables_.empty()) {
+  if (given_.empty()) {
     out.of_material.assign(density_.size(), read_conduction(field_table, capacity_key));
     return out;
   }
-  for (auto& table : tables_) {
+  for (const std::size_t k : used_) {
+    TomlTable& table = given_[k].table;
     auto field = table.table(key);
     if (!field)
-      throw InputError(fmt::format("{}: '{}' is missing; every material needs its conductivity{}",
-                                   table.where(), key, capacity_key.empty() ? "" : " and " + capacity_key));
+      table.missing(key, fmt::format("'{}' is missing; every material needs its conductivity{}", key,
+                                     capacity_key.empty() ? "" : " and " + capacity_key));
     out.of_material.push_back(read_conduction(*field, capacity_key));
   }
-  for (auto& table : interfaces_) {
-    const auto between = table.require("between", "it names two materials").array();
-    if (between.size() != 2) table.require("between", "").reject("it must name two materials");
-    const auto a = material_index(between[0], names_), b = material_index(between[1], names_);
-    if (auto boundary = table.table(key))
-      out.between.push_back({{std::min(a, b), std::max(a, b)}, read_interface(*boundary)});
+  const auto position = [&](std::int32_t given) {
+    return static_cast<std::int32_t>(std::find(used_.begin(), used_.end(), static_cast<std::size_t>(given)) -
+                                     used_.begin());
+  };
+  for (const auto& one : interfaces_) {
+    const auto a = position(one.between.first), b = position(one.between.second);
+    const auto materials = static_cast<std::int32_t>(used_.size());
+    if (one.key == key && a < materials && b < materials)
+      out.between.push_back({{std::min(a, b), std::max(a, b)}, one.interface});
   }
   return out;
 }

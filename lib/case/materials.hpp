@@ -32,7 +32,8 @@ struct FieldMaterials {
 /// The materials of a case, in the order of the packing's material names.
 class Materials {
  public:
-  /// Reads `[material]` or `[[materials]]` and `[[interfaces]]`. Throws InputError.
+  /// Reads `[material]`, or `[[materials]]` and `[[interfaces]]` to the last of them: what the packing does
+  /// not use must be right as well. Throws InputError.
   Materials(TomlTable& root, const Packing& packing);
 
   [[nodiscard]] double density(std::int32_t material) const {
@@ -44,10 +45,24 @@ class Materials {
                                      const std::string& capacity_key);
 
  private:
-  std::vector<std::string> names_;  ///< empty for one material
-  std::vector<TomlTable> tables_;   ///< [materials] of a case with several
-  std::vector<double> density_;     ///< kg/m^3
-  std::vector<TomlTable> interfaces_;
+  void read_materials(const TomlValue& list, const Packing& packing);
+  void read_interfaces(const TomlValue& list);
+  void add_interface(TomlTable& table, std::pair<std::int32_t, std::int32_t> between);
+
+  struct Described {
+    std::string name;
+    TomlTable table;
+  };
+  std::vector<Described> given_;   ///< [[materials]] as written; empty for one material
+  std::vector<std::size_t> used_;  ///< [materials of the packing] index into given_
+  std::vector<double> density_;    ///< [materials of the packing] kg/m^3
+  /// Interfaces by field between two of given_, lower index first; `place` = file and line.
+  struct Given {
+    std::string key, place;
+    std::pair<std::int32_t, std::int32_t> between;
+    Interface interface;
+  };
+  std::vector<Given> interfaces_;
 };
 
 }  // namespace superstep

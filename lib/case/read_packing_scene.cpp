@@ -182,13 +182,13 @@ std::string beside_case(const std::string& case_path, const std::string& file) {
 PackingInput read_packing_scene(TomlTable& root) {
   auto packing = root.table("packing");
   if (!packing)
-    throw InputError(fmt::format(
-        "{}: [packing] is missing; name a packing file or a generator, or give a [network]", root.where()));
+    root.missing("packing", "[packing] is missing; name a packing file or a generator, or give a [network]");
   PackingInput input;
   const auto unit = packing->find("length_unit");
   if (unit) input.unit = length_unit(unit->string(), unit->where());
   const auto file = packing->find("file"), generator = packing->find("generator");
-  if (!file == !generator)
+  if (!file && !generator) packing->missing("file", "give either 'file' or 'generator', one of them");
+  if (file && generator)
     throw InputError(fmt::format("{}: give either 'file' or 'generator', one of them", packing->where()));
   if (file) adopt_stated_unit(beside_case(root.file(), file->string()), unit, input.unit);
   input.scene.length_unit = input.unit;
@@ -197,8 +197,7 @@ PackingInput read_packing_scene(TomlTable& root) {
   input.scene.packing = file ? read_packing(beside_case(root.file(), file->string()), input.unit)
                              : generate(*packing, *generator, input.unit);
   auto contact = root.table("contact");
-  if (!contact)
-    throw InputError(fmt::format("{}: [contact] is missing; it names the neck law", root.where()));
+  if (!contact) root.missing("contact", "[contact] is missing; it names the neck law");
   if (const auto law = contact->find("conductance")) {
     input.pipe = law->string() == "pipe";
     if (!input.pipe && law->string() != "series") law->reject("it must be \"series\" or \"pipe\"");

@@ -68,8 +68,22 @@ std::vector<char> by_ids(const TomlValue& ids, const Packing& packing) {
   return out;
 }
 
+/// One way to select, not two of which the later would win.
+void require_one_selector(const TomlValue& where, TomlTable& table) {
+  std::string first;
+  for (const char* key : {"ids", "box", "layer", "sphere", "cylinder"}) {
+    if (!table.find(key)) continue;
+    if (!first.empty())
+      where.reject(
+          fmt::format("it holds '{}' and '{}'; give one, and an entry of its own for the other", first, key));
+    first = key;
+  }
+  if (first.empty()) table.missing("ids", "it must hold ids, box, layer, sphere or cylinder");
+}
+
 std::vector<char> by_table(const TomlValue& where, const Packing& packing, double unit) {
   TomlTable table = where.table();
+  require_one_selector(where, table);
   std::vector<char> out;
   if (const auto ids = table.find("ids")) out = by_ids(*ids, packing);
   if (auto box = table.table("box")) {
@@ -99,7 +113,6 @@ std::vector<char> by_table(const TomlValue& where, const Packing& packing, doubl
     });
   }
   table.finish();
-  if (out.empty()) where.reject("it must hold ids, box, layer, sphere or cylinder");
   return out;
 }
 

@@ -3,23 +3,29 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/temporary_files.hpp"
 
 namespace superstep {
 namespace {
 
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& why) {
+  throw OutputError(fmt::format(
+      "{}: cannot be written: {}; choose another place with --out or free some space", path, why));
+}
 [[noreturn]] void fail(const std::string& path, int error) {
-  throw OutputError(
-      fmt::format("{}: cannot be written: {}; choose another place with --out or free some space", path,
-                  std::strerror(error)));
+  fail(path, std::strerror(error));
 }
 
 bool write_all(int descriptor, std::string_view content) noexcept {
@@ -32,28 +38,83 @@ bool write_all(int descriptor, std::string_view content) noexcept {
   return true;
 }
 
+/// The descriptor of the process that a path names, as /dev/stdout does.
+std::optional<int> own_stream(const fs::path& path) {
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    const char* usual = stream == STDOUT_FILENO ? "/dev/stdout" : "/dev/stderr";
+    for (const std::string& name :
+         {std::string(usual), fmt::format("/dev/fd/{}", stream), fmt::format("/proc/self/fd/{}", stream)})
+      if (path == fs::path(name)) return stream;
+  }
+  return std::nullopt;
+}
+
+/// Where a path leads: the file at the end of its symbolic links, which need not exist, or one of our
+/// streams.
+struct Destination {
+  fs::path file;
+  std::optional<int> stream;
+};
+
+Destination follow_links(const std::string& path) {
+  constexpr int longest_chain = 40;  // as the kernel has it
+  fs::path at(path);
+  for (int links = 0; links <= longest_chain; ++links) {
+    if (const auto stream = own_stream(at.lexically_normal())) return {at, stream};
+    std::error_code error;
+    if (!fs::is_symlink(fs::symlink_status(at, error))) return {at, std::nullopt};
+    const fs::path next = fs::read_symlink(at, error);
+    if (error) fail(path, error.value());
+    at = next.is_absolute() ? next : at.parent_path() / next;
+  }
+  fail(path, ELOOP);
+}
+
+bool is_null_device(const struct stat& facts) noexcept {
+  constexpr unsigned memory_devices = 1, null = 3;  // of Linux
+  return S_ISCHR(facts.st_mode) && major(facts.st_rdev) == memory_devices && minor(facts.st_rdev) == null;
+}
+
+/// Makes what was renamed into a folder last a power cut. Some file systems cannot: the file is there anyway.
+void flush_folder(const fs::path& folder) noexcept {
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+/// Through a temporary. `kept` [mode] of the file that is replaced, if there is one.
+void replace(const std::string& path, const fs::path& file, std::string_view content,
+             std::optional<mode_t> kept) {
+  TemporaryFile temporary(file.parent_path());
+  if (temporary.descriptor() < 0) fail(path, errno);
+  const bool flushed = write_all(temporary.descriptor(), content) &&
+                       (!kept || ::fchmod(temporary.descriptor(), *kept) == 0) &&
+                       ::fsync(temporary.descriptor()) == 0;
+  if (!flushed) fail(path, errno);
+  if (!temporary.rename_to(file)) fail(path, errno);
+  flush_folder(file.parent_path());
+}
+
 }  // namespace
 
 void write_file_atomically(const std::string& path, std::string_view content) {
-  const std::filesystem::path target(path);
-  std::error_code error;
-  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), error);
-  if (error) fail(path, error.value());
-  if (std::filesystem::is_directory(target, error)) fail(path, EISDIR);
-
-  std::string temporary = path + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) fail(path, errno);
-  constexpr mode_t readable_by_all = 0644;
-  const bool flushed = write_all(descriptor, content) && ::fchmod(descriptor, readable_by_all) == 0 &&
-                       ::fsync(descriptor) == 0;
-  int failure = flushed ? 0 : errno;
-  if (::close(descriptor) != 0 && failure == 0) failure = errno;
-  if (failure == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
-  if (failure != 0) {
-    ::unlink(temporary.c_str());
-    fail(path, failure);
+  const auto [file, stream] = follow_links(path);
+  if (stream) {
+    if (!write_all(*stream, content)) fail(path, errno);
+    return;
   }
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (error) fail(path, error.value());
+  struct stat facts {};
+  const bool exists = ::stat(file.c_str(), &facts) == 0;
+  if (!exists && errno != ENOENT) fail(path, errno);
+  if (!exists) return replace(path, file, content, std::nullopt);
+  if (S_ISDIR(facts.st_mode)) fail(path, EISDIR);
+  constexpr mode_t permissions = 07777;
+  if (S_ISREG(facts.st_mode)) return replace(path, file, content, facts.st_mode & permissions);
+  if (!is_null_device(facts)) fail(path, "it is a device, a pipe or a socket, and no file");
 }
 
 }  // namespace superstep

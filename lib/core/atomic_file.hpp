@@ -6,8 +6,15 @@
 
 namespace superstep {
 
-/// Writes `content` to a temporary beside `path`, flushes it to disk and renames it over `path`.
-/// Creates missing parent folders. Throws OutputError and leaves nothing half-written.
+/// Writes `content` to a temporary beside the file, flushes it to disk and renames it over `path`; then the
+/// folder is flushed, too. Creates missing parent folders. Throws OutputError and leaves nothing
+/// half-written.
+///
+/// A symbolic link stays and its target is written. A file that is there keeps its permissions; a new one has
+/// those that the umask leaves. Devices, pipes and sockets are refused but for /dev/stdout, /dev/stderr and
+/// /dev/null, which are written to.
+///
+/// A process that was killed leaves its temporary: the next one that writes into the folder removes it.
 void write_file_atomically(const std::string& path, std::string_view content);
 
 }  // namespace superstep

@@ -133,6 +133,11 @@ void WeightedLaplacian::solve_conjugate(std::span<const WeightedEdge> edges, std
     rho += residual_[i] * direction_[i];
   }
   norm = rho;
+  if (scale == 0) {  // they meet no fixed value but 0: what they hold from before has nothing to hold on to
+    for (std::size_t i = 0; i < n; ++i)
+      if (unknown_[i]) x[i] = 0;
+    return;
+  }
   const double limit = tolerance_ * tolerance_ * scale;
   const int most_iterations = 10 * static_cast<int>(n) + 100;
   while (norm > limit) {

@@ -98,8 +98,9 @@ void read_snapshots(const std::string& path, std::map<std::string, CaseObservati
   }
   for (auto& [ignored, one] : out)
     if (one.slice)
-      std::erase_if(one.slice->frames,
-                    [&](const auto& frame) { return frame.value.size() != one.slice->spheres.size(); });
+      std::erase_if(one.slice->frames, [spheres = one.slice->spheres.size()](const auto& frame) {
+        return frame.value.size() != spheres;
+      });
 }
 
 }  // namespace

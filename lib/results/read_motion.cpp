@@ -6,12 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
 #include "results/text/csv_table.hpp"
+#include "results/text/json_object.hpp"
 #include "results/thinning.hpp"
 
 namespace superstep {
@@ -138,26 +138,38 @@ std::vector<std::size_t> shown_frames(const std::vector<double>& times,
   return out;
 }
 
+std::array<double, 3> point_in(const JsonObject& box, const char* key) {
+  const auto numbers = box.numbers(key);
+  if (numbers.size() != 3) box.reject(key, "it must be three numbers");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+double required(const JsonObject& object, const char* key) {
+  const auto value = object.number(key);
+  if (!value) object.reject(key, "it must be a number");
+  return *value;
+}
+
 // What is needed of "motion" in run.json, as `superstep run` writes it. A folder of an older program has no
 // box and no snapshots there: then there are no pictures.
-void read_frames(const std::string& folder, const Json& motion, MotionInput& out) {
-  if (!motion.contains("box") || !motion.contains("snapshots")) return;
-  const Json& snapshots = motion.at("snapshots");
-  out.box_min = motion.at("box").at("min").get<std::array<double, 3>>();
-  out.box_max = motion.at("box").at("max").get<std::array<double, 3>>();
+void read_frames(const std::string& folder, const JsonObject& motion, MotionInput& out) {
+  const auto box = motion.object("box");
+  if (!box || !motion.find("snapshots")) return;
+  const auto snapshots = motion.objects("snapshots");
+  out.box_min = point_in(*box, "min");
+  out.box_max = point_in(*box, "max");
   const double plane = 0.5 * (out.box_min[1] + out.box_max[1]);
   std::vector<double> times;
-  for (const Json& one : snapshots) times.push_back(one.at("time").get<double>());
+  for (const auto& one : snapshots) times.push_back(required(one, "time"));
   for (const std::size_t k : shown_frames(times, out.phases)) {
-    const Json& one = snapshots.at(k);
+    const auto& one = snapshots[k];
     // Only what is inside the folder: the name comes from a file.
-    const std::filesystem::path name = one.at("file").get<std::string>();
+    const std::filesystem::path name = one.text("file");
     const auto goes_up = [](const std::filesystem::path& part) { return part == ".."; };
-    if (name.is_absolute() || std::any_of(name.begin(), name.end(), goes_up))
-      throw InputError(
-          fmt::format("{}/run.json: snapshot '{}' is not inside the folder", folder, name.string()));
+    if (name.empty() || name.is_absolute() || std::any_of(name.begin(), name.end(), goes_up))
+      one.reject("file", "it must name a file inside the folder");
     out.frames.push_back(
-        read_frame(folder + "/" + name.string(), times[k], one.at("upper_wall").get<double>(), plane));
+        read_frame(folder + "/" + name.string(), times[k], required(one, "upper_wall"), plane));
   }
 }
 
@@ -177,12 +189,7 @@ std::optional<MotionInput> read_motion(const std::string& folder) {
   motion.history = thinned(all);
   motion.phases = phases_of(all);
   find_largest_fraction(all, motion);
-  try {
-    read_frames(folder, json.at("motion"), motion);
-  } catch (const Json::exception& error) {
-    throw InputError(
-        fmt::format("{}: \"motion\" is broken ({}); write it anew with superstep run", path, error.what()));
-  }
+  read_frames(folder, JsonObject(path, json.at("motion"), "motion"), motion);
   return motion;
 }
 

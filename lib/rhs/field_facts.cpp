@@ -44,7 +44,8 @@ double effect(double weight, double change) noexcept {
 }  // namespace
 
 void add_knots(const TimeTable& table, double weight, std::size_t field, std::vector<Breakpoint>& points) {
-  const auto& [time, value] = table;
+  const auto& time = table.time;
+  const auto& value = table.value;
   const auto slope = [&](std::size_t k) {  // of the interval that ends at knot k
     const bool inside = k > 0 && k < time.size() && time[k] > time[k - 1];
     return inside ? (value[k] - value[k - 1]) / (time[k] - time[k - 1]) : 0.0;

@@ -9,10 +9,6 @@
 namespace superstep {
 namespace {
 
-/// Counters that cost time; fewer is better.
-constexpr const char* counters[] = {"steps", "rejected", "rhs", "jacobians", "factorizations", "solves"};
-constexpr const char* errors[] = {"error_probe_mean", "error_rms", "error_max"};
-
 std::string text_of(const RatioInterval& ratio) {
   return fmt::format("x {:.3f} ({:.3f} to {:.3f})", ratio.estimate, ratio.low, ratio.high);
 }
@@ -39,6 +35,12 @@ class Judge {
           "CPU times are not judged: processor, flags or threads differ ('{}', '{}', {} against "
           "'{}', '{}', {}).",
           now_.processor, now_.flags, now_.threads, baseline_.processor, baseline_.flags, baseline_.threads));
+    for (const auto* file : {&now_, &baseline_})
+      if (!file->has_samples()) {
+        measured_ = false;
+        report_.notes.push_back(
+            fmt::format("Nothing was measured: no method in '{}' was timed.", file->path));
+      }
     for (const auto& before : baseline_.cases) judge_case(before);
     for (const auto& one : now_.cases)
       if (!baseline_.find(one.name))
@@ -70,9 +72,10 @@ class Judge {
                  now->status == "ok" ? GateVerdict::better : GateVerdict::regressed);
     ++report_.passed;
     if (before.status != "ok") return;
-    for (const char* counter : counters) judge_counter(counter, before, *now);
+    for (const char* counter : counter_columns) judge_counter(counter, before, *now);
     for (const std::string field : {"", "_potential"}) {
-      for (const char* error : errors) judge_error(error + field, "reference_error" + field, before, *now);
+      for (const char* error : error_columns)
+        judge_error(error + field, "reference_error" + field, before, *now);
       judge_balance("balance" + field, before, *now);
     }
     if (comparable_) judge_time(case_before, before, case_now, *now);
@@ -157,9 +160,10 @@ class Judge {
       return std::any_of(report_.findings.begin(), report_.findings.end(),
                          [&](const auto& finding) { return finding.verdict == verdict; });
     };
-    report_.verdict = any(GateVerdict::regressed)                             ? GateVerdict::regressed
-                      : any(GateVerdict::inconclusive) || report_.passed == 0 ? GateVerdict::inconclusive
-                                                                              : GateVerdict::passed;
+    report_.verdict = any(GateVerdict::regressed) ? GateVerdict::regressed
+                      : any(GateVerdict::inconclusive) || report_.passed == 0 || !measured_
+                          ? GateVerdict::inconclusive
+                          : GateVerdict::passed;
     if (any(GateVerdict::better))
       report_.notes.emplace_back("Something got better: renew the baseline, so that it stays so.");
     std::stable_sort(report_.findings.begin(), report_.findings.end(),
@@ -169,7 +173,7 @@ class Judge {
   const ResultsFile &now_, &baseline_;
   const std::function<bool(const std::string&)>& is_adaptive_;
   const GateLimits& limits_;
-  bool comparable_ = false;
+  bool comparable_ = false, measured_ = true;
   std::string case_, spec_;
   std::vector<std::string> not_measured_;  // methods of the baseline
   GateReport report_;

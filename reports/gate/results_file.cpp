@@ -1,59 +1,71 @@
 #include "reports/gate/results_file.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
+#include "results/text/json_object.hpp"
 
 namespace superstep {
 namespace {
 
-using Json = nlohmann::json;
-
-std::string text_of(const Json& json, const char* key) {
-  const auto entry = json.find(key);
-  return entry != json.end() && entry->is_string() ? entry->get<std::string>() : std::string{};
+std::string required(const JsonObject& object, const char* key) {
+  if (!object.find(key)) object.reject(key, "it must be a string");
+  return object.text(key);
 }
 
-std::vector<double> times_of(const Json& row, const char* key) {
-  const auto entry = row.find(key);
-  if (entry == row.end()) return {};
-  std::vector<double> times;
-  for (const auto& time : *entry) {
-    times.push_back(time.get<double>());
-    if (!(times.back() > 0)) return {};
-  }
+std::vector<double> times_of(const JsonObject& row, const char* key) {
+  auto times = row.numbers(key);
+  // A clock too coarse for the work has measured nothing.
+  if (std::any_of(times.begin(), times.end(), [](double time) { return !(time > 0); })) times.clear();
   return times;
 }
 
-MeasuredRow row_of(const Json& json) {
+/// A method that ran has counted something: a file in which it has not is no measurement to compare with.
+void require_counters(const JsonObject& json, const MeasuredRow& row) {
+  if (row.status != "ok") return;
+  for (const char* counter : counter_columns)
+    if (row.number(counter)) return;
+  json.reject("steps", "a method that is ok must have counters, to be judged by them");
+}
+
+MeasuredRow row_of(const JsonObject& json) {
   MeasuredRow row;
-  row.integrator = json.at("integrator").get<std::string>();
-  const std::string params = json.at("params").get<std::string>();
-  row.spec = json.value("spec", params.empty() ? row.integrator : row.integrator + ":" + params);
-  row.status = json.at("status").get<std::string>();
-  for (const auto& [key, value] : json.items())
+  row.integrator = required(json, "integrator");
+  const std::string params = required(json, "params");
+  const std::string spec = json.text("spec");
+  row.spec = !spec.empty() ? spec : params.empty() ? row.integrator : row.integrator + ":" + params;
+  row.status = required(json, "status");
+  for (const char* counter : counter_columns) (void)json.number(counter);  // another type is an error
+  for (const char* error : error_columns)
+    for (const char* field : {"", "_potential"}) (void)json.number(std::string(error) + field);
+  for (const auto& [key, value] : json.json().items())
     if (value.is_number()) row.numbers[key] = value.get<double>();
+  require_counters(json, row);
   row.cpu_stepping = times_of(json, "cpu_stepping_samples_s");
   row.yardstick = times_of(json, "yardstick_samples_s");
   return row;
 }
 
-ResultsFile from_json(const Json& json) {
+ResultsFile read_from(const std::string& path) {
+  const auto parsed = parse_results(path, "superstep.results", 1);
+  const JsonObject json(path, parsed);
   ResultsFile file;
-  if (text_of(json, "schema") != "superstep.results" || json.at("schema_version").get<int>() != 1)
-    throw std::runtime_error("its schema is not superstep.results, version 1");
-  file.revision = text_of(json, "revision");
-  file.processor = text_of(json.at("machine"), "processor");
-  file.flags = text_of(json.at("machine"), "flags");
-  file.threads = json.at("threads").get<int>();
-  for (const auto& entry : json.at("cases")) {
-    MeasuredCase one{entry.at("case").get<std::string>(), entry.at("baseline").get<std::string>(), {}};
-    for (const auto& row : entry.at("rows")) one.rows.push_back(row_of(row));
+  file.path = path;
+  file.revision = json.text("revision");
+  if (const auto machine = json.object("machine")) {
+    file.processor = machine->text("processor");
+    file.flags = machine->text("flags");
+  }
+  file.threads = json.count<int>("threads").value_or(1);
+  if (!json.find("cases")) json.reject("cases", "it must list what was measured");
+  for (const auto& entry : json.objects("cases")) {
+    MeasuredCase one{required(entry, "case"), required(entry, "baseline"), {}};
+    if (file.find(one.name))
+      entry.reject("case", "another case of this file has the same name, and results go by it");
+    if (!entry.find("rows")) entry.reject("rows", "it must list the methods");
+    for (const auto& row : entry.objects("rows")) one.rows.push_back(row_of(row));
     file.cases.push_back(std::move(one));
   }
   return file;
@@ -76,19 +88,17 @@ const MeasuredCase* ResultsFile::find(const std::string& name) const {
   return one == cases.end() ? nullptr : &*one;
 }
 
+bool ResultsFile::has_samples() const {
+  for (const auto& one : cases)
+    for (const auto& row : one.rows)
+      if (!row.cpu_stepping.empty()) return true;
+  return false;
+}
+
 ResultsFile read_results(const std::string& path) {
-  const std::string file = std::filesystem::is_directory(path) ? path + "/results.json" : path;
-  const std::string text = read_text_file(file);
-  try {
-    ResultsFile results = from_json(Json::parse(text));
-    results.path = file;
-    return results;
-  } catch (const std::exception& error) {
-    throw InputError(
-        fmt::format("{}: is no results.json of superstep bench: {}; write one with 'superstep "
-                    "bench CASE --out DIR'",
-                    file, error.what()));
-  }
+  std::error_code ignored;
+  const std::string file = std::filesystem::is_directory(path, ignored) ? path + "/results.json" : path;
+  return read_from(file);
 }
 
 PairedTimings relative_timings(const MeasuredCase& one, const MeasuredRow& row) {

@@ -10,6 +10,12 @@
 
 namespace superstep {
 
+/// Counters that cost time; fewer is better.
+inline constexpr const char* counter_columns[] = {"steps",     "rejected",       "rhs",
+                                                  "jacobians", "factorizations", "solves"};
+/// Distances to the reference, each in one column a field.
+inline constexpr const char* error_columns[] = {"error_probe_mean", "error_rms", "error_max"};
+
 /// One method on one case.
 struct MeasuredRow {
   std::string integrator, spec, status;
@@ -34,9 +40,12 @@ struct ResultsFile {
   std::vector<MeasuredCase> cases;
 
   [[nodiscard]] const MeasuredCase* find(const std::string& name) const;
+  /// True when some method was timed.
+  [[nodiscard]] bool has_samples() const;
 };
 
-/// Reads a file, or results.json in a folder. Throws InputError.
+/// Reads a file, or results.json in a folder. Throws InputError, also for a method that is "ok" and has none
+/// of the numbers that it is judged by.
 [[nodiscard]] ResultsFile read_results(const std::string& path);
 
 /// The method's CPU time of stepping in units of the case's baseline method, round by round; the baseline

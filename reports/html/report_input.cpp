@@ -12,6 +12,7 @@
 #include "results/read_results.hpp"
 #include "results/study/read_work_precision.hpp"
 #include "results/study/stability_tables.hpp"
+#include "results/text/json_object.hpp"
 
 namespace superstep {
 namespace {
@@ -25,12 +26,25 @@ bool exists(const std::string& path) {
 }
 
 std::optional<Json> read_json(const std::string& path, const std::string& schema) {
+  constexpr int newest_schema = 1;
   if (!exists(path)) return std::nullopt;
-  Json json = Json::parse(read_text_file(path), nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || json.value("schema", "") != schema)
-    throw InputError(
-        fmt::format("{}: it is not a file of schema '{}'; write it anew or remove it", path, schema));
-  return json;
+  return parse_results(path, schema, newest_schema);
+}
+
+/// What the page shows of a case's health, so that a value of another type is found while the file is known.
+void check_health(const JsonObject& health) {
+  if (const auto packing = health.object("packing")) (void)packing->object("overlap");
+  for (const auto& field : health.objects("fields")) {
+    (void)field.text("field");
+    (void)field.object("coordination");
+  }
+  (void)health.object("published");
+}
+
+void check_stability(const JsonObject& summary) {
+  (void)summary.text("case");
+  for (const auto& verdict : summary.objects("verdicts"))
+    for (const char* key : {"grade", "method", "text"}) (void)verdict.text(key);
 }
 
 void read_benchmark(ReportInput& input) {
@@ -38,13 +52,17 @@ void read_benchmark(ReportInput& input) {
   if (!exists(path)) return;
   input.bench = read_results_json(path);
   auto observations = read_observations(input.folder);
-  const auto health = read_json(input.folder + "/health.json", "superstep.health");
+  const std::string health_file = input.folder + "/health.json";
+  const auto health = read_json(health_file, "superstep.health");
   for (auto& one : input.bench->cases) {
     CaseInput out{.bench = std::move(one), .health = {}, .work_precision = {}};
     out.bench.observations = std::move(observations[out.bench.name]);
-    if (health && health->contains("cases"))
-      for (const auto& candidate : health->at("cases"))
-        if (candidate.value("case", "") == out.bench.name) out.health = candidate;
+    if (health)
+      for (const auto& candidate : JsonObject(health_file, *health).objects("cases"))
+        if (candidate.text("case") == out.bench.name) {
+          check_health(candidate);
+          out.health = candidate.json();
+        }
     input.cases.push_back(std::move(out));
   }
   input.bench->cases.clear();
@@ -91,12 +109,13 @@ void require_version(const Json& json, const std::string& path) {
 
 void read_stability(ReportInput& input) {
   StabilityInput out;
-  const std::string path = input.folder + "/stability.json";
-  out.summary = read_json(path, "superstep.stability");
-  if (out.summary) require_version(*out.summary, path);
+  const std::string file = input.folder + "/stability.json";
+  out.summary = read_json(file, "superstep.stability");
+  if (out.summary) require_version(*out.summary, file);
+  if (out.summary) check_stability(JsonObject(file, *out.summary));
   for (const char* name : {"methods", "critical_step", "rounding", "sweeps", "states"})
-    if (const std::string file = fmt::format("{}/stability_{}.csv", input.folder, name); exists(file))
-      out.tables.emplace(name, std::make_unique<CsvTable>(file));
+    if (const std::string table = fmt::format("{}/stability_{}.csv", input.folder, name); exists(table))
+      out.tables.emplace(name, std::make_unique<CsvTable>(table));
   if (out.summary || !out.tables.empty()) input.stability = std::move(out);
 }
 

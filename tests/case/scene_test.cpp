@@ -200,6 +200,98 @@ TEST_F(CaseFile, UnusualValuesAreSaid) {
   EXPECT_FALSE(said("density"));
 }
 
+TEST_F(CaseFile, UnknownKeysAreErrorsInEveryTable) {
+  const auto selecting = [](const std::string& where) {
+    return with("fixed = [ { where = " + where + ", value = 1 } ]\n");
+  };
+  expect_complaint(selecting("{ sphere = { centre = [0,0,0], radius = 1, raduis = 2 } }"), "'radius'");
+  expect_complaint(selecting("{ box = { min = [0,0,0], max = [1,1,1], mox = 1 } }"), "unknown key 'mox'");
+  expect_complaint(with("source = [ { where = 'top', value = { times = [0], values = [1], unit = 1 } } ]\n"),
+                   "unknown key 'unit'");
+  expect_complaint(with("grain_boundary = { thickness = 1, reduction = 1, redction = 2 }\n"), "'redction'");
+  expect_complaint(
+      "t_end = 1\n[packing]\nfile = 'p.csv'\n[contact]\nneck = 'hertz'\n[thermal]\n"
+      "conductivity = 1\nspecific_heat = 1\n[material]\ndensty = 1\n",
+      "case.toml:10: unknown key 'densty' in [material]; did you mean 'density'?");
+}
+
+TEST_F(CaseFile, NumbersThatNoSolverCanComputeWithAreRefusedWithTheRange) {
+  const auto network = [&](const std::string& capacity, const std::string& conductance,
+                           const std::string& more = "") {
+    folder_.write("n.csv", "id,capacity,source,initial,fixed\n1,1,0,0,0\n2," + capacity + ",0,0,\n");
+    folder_.write("e.csv", "i,j,conductance\n1,2," + conductance + "\n");
+    return "t_end = 1\n" + more + "[network]\nnodes = 'n.csv'\nedges = 'e.csv'\n";
+  };
+  for (const char* number : {"1e-320", "1e-41", "1.1e40", "1e300"}) {
+    expect_complaint(network(number, "1"), "the capacity of node 2");
+    expect_complaint(network("1", number), "the conductance 1-2");
+    expect_complaint(network("1", number), "between 1e-40 and 1e+40");
+  }
+  expect_complaint(network("1", "1", "output_times = [1e-300, 1]\n"), "output time 1e-300 s");
+  expect_complaint(with("fixed = [ { where = 'top', value = 1e300 } ]\n"), "the fixed value of node 9");
+  expect_complaint(with("source = [ { where = 'top', value = { times = [0], values = [-1e99] } } ]\n"),
+                   "must not exceed");
+  EXPECT_NO_THROW(load(network("1e-40", "1e40")));
+  EXPECT_NO_THROW(load(network("1", "0")));
+}
+
+TEST_F(CaseFile, AWhereSelectsInOneWay) {
+  expect_complaint(
+      with("fixed = [ { where = { ids = [5], sphere = { centre = [0,0,0], radius = 1 } }, value = 1 } ]\n"),
+      "it holds 'ids' and 'sphere'");
+}
+
+class ManyMaterials : public CaseFile {
+ protected:
+  ManyMaterials() {
+    folder_.write("p.csv", "id,x,y,z,radius,material\n1,0,0,0,1,a\n2,0,0,1.9,1,b\n3,0,0,3.8,1,b\n");
+  }
+  [[nodiscard]] static std::string with(const std::string& more) {
+    const auto material = [](const std::string& name) {
+      return "[[materials]]\nname = '" + name +
+             "'\ndensity = 1000\nthermal = { conductivity = 1, specific_heat = 100 }\n";
+    };
+    return "t_end = 1\n[packing]\nfile = 'p.csv'\n[contact]\nneck = 'hertz'\n[thermal]\n" + material("a") +
+           material("b") + more;
+  }
+};
+
+TEST_F(ManyMaterials, AreReadToTheLastKeyUsedOrNot) {
+  const std::string spare = "[[materials]]\nname = 'spare'\n", rest = "density = 1\n";
+  EXPECT_EQ(load(with("")).nodes(), 3u);
+  EXPECT_EQ(load(with(spare + rest)).nodes(), 3u);
+  EXPECT_EQ(load(with(spare + rest + "electric = { conductivity = 1 }\n")).nodes(), 3u);
+  expect_complaint(with("colour = 'red'\n"), "unknown key 'colour' in [materials[1]]");
+  expect_complaint(with(spare + "densty = 1\n"), "did you mean 'density'");
+  expect_complaint(with(spare + "density = -1\n"), "it must be > 0");
+  expect_complaint(with(spare + rest + "thermal = { conductivity = 0, specific_heat = 1 }\n"), "must be > 0");
+  expect_complaint(with(spare + rest + "thermal = { conductivity = 1, specific_het = 1 }\n"),
+                   "'specific_het'");
+  expect_complaint(with(spare + rest + "electric = { conductivity = nan }\n"), "finite");
+}
+
+TEST_F(ManyMaterials, InterfacesAreReadToTheLastKeyAndMustNotContradict) {
+  const auto interface = [](const std::string& a, const std::string& b, const std::string& what) {
+    return "[[interfaces]]\nbetween = ['" + a + "', '" + b + "']\n" + what + "\n";
+  };
+  const std::string thermal = "thermal = { thickness = 1e-7, reduction = 0.1 }";
+  const double free = load(with("")).fields[0].graph.conductance[0];
+  EXPECT_LT(load(with(interface("a", "b", thermal))).fields[0].graph.conductance[0], free);
+  expect_complaint(with(interface("a", "b", "thermla = { thickness = 1e-7, reduction = 0.1 }")),
+                   "did you mean 'thermal'");
+  expect_complaint(with(interface("a", "b", thermal + "\nreduction = 1")), "unknown key 'reduction'");
+  const auto twice = with(interface("a", "b", thermal) + interface("b", "a", thermal));
+  expect_complaint(twice, "case.toml:20: [interfaces[1].thermal]");
+  expect_complaint(twice, "case.toml:17: [interfaces[0].thermal]; keep one");
+  // Fields of their own do not contradict; nor does one between materials that the packing lacks.
+  const std::string spare = "[[materials]]\nname = 'spare'\ndensity = 1\n";
+  EXPECT_NO_THROW(load(with(spare + interface("a", "b", thermal) +
+                            interface("b", "a", "electric = { thickness = 1e-7, reduction = 0.1 }") +
+                            interface("spare", "b", thermal))));
+  expect_complaint(with(spare + interface("spare", "b", "thermal = { thickness = 0, reduction = 0.1 }")),
+                   "must be > 0");
+}
+
 TEST_F(CaseFile, BadCasesAreOneClearErrorWithTheWayOut) {
   folder_.write("nested.csv", "id,x,y,z,radius\n5,0,0,0,1\n6,0,0,1,9\n");
   expect_complaint(

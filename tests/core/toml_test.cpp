@@ -26,6 +26,45 @@ TEST(Toml, UnknownKeyNamesLineAndNearest) {
   EXPECT_NE(message.find("did you mean 'conductivity'"), std::string::npos) << message;
 }
 
+TEST(Toml, EveryTableThatWasReadAnswersForItsKeysInArraysToo) {
+  auto root = TomlTable::parse_text(
+      "[[m]]\nname = 'a'\n[[m]]\nname = 'b'\ndensty = 3\n[d]\nlist = [{ x = 1 }, { x = 2, deep = { y = 1, z "
+      "= 2 } }]\n",
+      "case.toml");
+  for (const auto& value : root.find("m")->array()) static_cast<void>(value.table().find("name"));
+  const auto message = test::message_of<InputError>([&] { root.finish(); });
+  EXPECT_NE(message.find("case.toml:5: unknown key 'densty' in [m[1]]"), std::string::npos) << message;
+
+  auto nested = TomlTable::parse_text("a = [{ b = { c = 1, see = 2 } }]\n", "case.toml");
+  static_cast<void>(nested.find("a")->array()[0].table().table("b")->find("c"));
+  const auto inner = test::message_of<InputError>([&] { nested.finish(); });
+  EXPECT_NE(inner.find("unknown key 'see' in [a[0].b]"), std::string::npos) << inner;
+}
+
+TEST(Toml, AMisspeltKeyIsNotMissing) {
+  auto root = TomlTable::parse_text("[material]\ndensty = 1\n[materiel]\n", "case.toml");
+  auto material = root.table("material");
+  const auto message =
+      test::message_of<InputError>([&] { static_cast<void>(material->positive("density", "kg/m3")); });
+  EXPECT_EQ(message, "case.toml:2: unknown key 'densty' in [material]; did you mean 'density'?");
+  // A key that somebody asked for is no misspelling of another.
+  static_cast<void>(material->find("densty"));
+  const auto missing =
+      test::message_of<InputError>([&] { static_cast<void>(material->positive("density", "kg/m3")); });
+  EXPECT_NE(missing.find("'density' is missing"), std::string::npos) << missing;
+}
+
+TEST(Toml, LettersOutsideStringsAreErrorsOfTheirLine) {
+  for (const char* letter : {"\u00e4", "\u00a1", "\u0416", "\u4e2d", "\u1e9e", "\u2020"}) {
+    for (const auto& line : {std::string(letter) + " = 1", "a" + std::string(letter) + " = 1",
+                             "b = " + std::string(letter), "b = 1" + std::string(letter)}) {
+      const auto message = test::message_of<InputError>(
+          [&] { static_cast<void>(TomlTable::parse_text("a = 1\n" + line + "\n", "case.toml")); });
+      EXPECT_EQ(message.rfind("case.toml:2:", 0), 0u) << line << " -> " << message;
+    }
+  }
+}
+
 TEST(Toml, WrongTypesAndNonFiniteNumbersAreErrors) {
   auto root = TomlTable::parse_text("a = 'x'\nb = nan\nc = inf\nd = 1.5\n", "case.toml");
   EXPECT_NE(test::message_of<InputError>([&] { static_cast<void>(root.number("a")); }).find("case.toml:1"),

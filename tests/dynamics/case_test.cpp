@@ -84,6 +84,23 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"motion_window = [0.0, 0.2]", "motion_window = [0.2, 0.1]", "from < to"},
                     Mistake{"t_end = 3.0", "t_end = \"3\"", "number"}));
 
+TEST(SinteringCases, BondsThatPullWithoutBoundAreRefused) {
+  const TemporaryFolder folder;
+  const std::string text = read_text_file(case_path("sintering_example.toml"));
+  const auto complaint = [&](const std::string& from, const std::string& to) {
+    const auto path = folder.write("case.toml", replaced(text, from, to));
+    return message_of<InputError>([&] { (void)load_sintering_case(path); });
+  };
+  const std::string bond = "[dynamics.bond]\nstiffness = ";
+  EXPECT_EQ(complaint(bond + "9e6", bond + "9.9e6"), "");
+  const std::string message = complaint(bond + "9e6", bond + "1e7");
+  EXPECT_NE(message.find("'dynamics.bond.stiffness' is 10000000; it must be below"), std::string::npos)
+      << message;
+  // Hot contacts have nothing but their floor to push with.
+  EXPECT_NE(complaint("stiffness_floor = 1e7", "stiffness_floor = 8e6").find("stiffness_floor"),
+            std::string::npos);
+}
+
 TEST(SinteringCases, ZeroParticlesAndFullBoxesAreErrors) {
   const TemporaryFolder folder;
   const std::string text = read_text_file(case_path("sintering_example.toml"));

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "integrators/press/model_description.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -85,6 +87,64 @@ TEST_P(Restart, GoesOnToTheLastBit) {
   EXPECT_EQ(rest.rejected(), whole.rejected());
 }
 INSTANTIATE_TEST_SUITE_P(Thermal, Restart, testing::Values("", "rkc:rtol=1e-5"));
+
+TEST(ModelDescription, TellsPressesApartButNotWhatIsStillToCome) {
+  const BusyPress press;
+  const double t = 0.015;
+  const std::string here = model_description(press.model, t);
+  const auto differs = [&](auto change) {
+    Model other = press.model;
+    change(other);
+    return model_description(other, t) != here;
+  };
+  EXPECT_FALSE(differs([](Model&) {}));
+  EXPECT_TRUE(differs([](Model& m) { m.gravity += 1e-15; })) << "to the last bit";
+  EXPECT_TRUE(differs([](Model& m) { m.contact.damping += 0.1; }));
+  EXPECT_TRUE(differs([](Model& m) { m.wall.exponent = 1.5; }));
+  EXPECT_TRUE(differs([](Model& m) { m.bond.rule = BondRule::overlap; }));
+  EXPECT_TRUE(differs([](Model& m) { m.bond.rupture *= 2; }));
+  EXPECT_TRUE(differs([](Model& m) { m.drag.medium_velocity.y = 1; }));
+  EXPECT_TRUE(differs([](Model& m) { m.thermal.walls_conduct = !m.thermal.walls_conduct; }));
+  EXPECT_TRUE(differs([](Model& m) { m.electric.absorption *= 0.5; }));
+  EXPECT_TRUE(differs([](Model& m) { m.box.min.x -= 1; }));
+  const auto with_phases = [](Model& m, auto change) {
+    auto phases = m.schedule.phases();
+    change(phases);
+    m.schedule = Schedule(std::move(phases));
+  };
+  EXPECT_TRUE(differs([&](Model& m) { with_phases(m, [](auto& p) { p[0].upper_wall_begin -= 0.001; }); }));
+  EXPECT_FALSE(differs([&](Model& m) {
+    with_phases(m, [](auto& p) {
+      Phase more = p.back();
+      more.begin = p.back().end;
+      more.end = more.begin + 1;
+      more.upper_wall_begin = more.upper_wall;
+      p.push_back(more);
+    });
+  })) << "a press may go on for longer than was planned";
+  EXPECT_FALSE(differs([](Model& m) { m.electric.tolerance *= 0.1; })) << "of the method";
+}
+
+TEST(ModelDescription, AHistoryWithPhasesThatACaseLacksIsRefused) {
+  const BusyPress press;
+  Checkpoint stored{press.cloud.particles, press.cloud.state, 1e-3, {}, ""};
+  stored.model = model_description(press.model, stored.state.time);
+  EXPECT_NO_THROW(require_same_model(stored, press.model, "c.bin", "case.toml"));
+  stored.history.emplace_back().phase = static_cast<std::int32_t>(press.model.schedule.phases().size());
+  EXPECT_THROW(require_same_model(stored, press.model, "c.bin", "case.toml"), InputError);
+  stored.history.back().phase = -1;
+  EXPECT_THROW(require_same_model(stored, press.model, "c.bin", "case.toml"), InputError);
+}
+
+TEST(CheckpointFile, WhatCannotBeReadIsAnInputError) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.file("a"));
+  std::filesystem::create_symlink("a", folder.file("b"));
+  std::filesystem::create_directory(folder.file("folder"));
+  for (const std::string& path : {folder.file("a"), folder.file("folder"), folder.file("a/b"),
+                                  folder.file(std::string(5000, 'x')), std::string("/dev/zero")})
+    EXPECT_NE(test::message_of<InputError>([&] { (void)read_checkpoint(path); }), "") << path.substr(0, 80);
+}
 
 TEST(CheckpointFile, RefusesWhatIsNotOne) {
   const TemporaryFolder folder;

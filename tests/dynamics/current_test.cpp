@@ -175,6 +175,19 @@ TEST(Current, PotentialFormTurnsAllPowerIntoHeat) {
   }
 }
 
+TEST(WeightedLaplacian, WhatMeetsOnlyZeroIsZeroWhateverItWas) {
+  // 0 is fixed at 0 V and holds 1 and 2; 3 is fixed at 5 V and holds nobody.
+  const std::vector<WeightedEdge> edges = {{0, 1, 1e3}, {1, 2, 1e3}};
+  const std::vector<char> fixed = {1, 0, 0, 1};
+  for (const auto solver : {CurrentSolver::jacobi, CurrentSolver::conjugate, CurrentSolver::direct})
+    for (const double left : {3.0, 1e-300}) {
+      std::vector<double> x = {0, left, -left, 5};
+      WeightedLaplacian laplacian(solver, 1e-10);
+      laplacian.solve(edges, fixed, x);
+      for (const std::size_t i : {1U, 2U}) EXPECT_NEAR(x[i], 0, 5e-10) << "1e-10 of 5 V";
+    }
+}
+
 TEST(Current, NoElectrifiedWallNoCurrent) {
   const Pile pile(CurrentModel::averaging, CurrentSolver::conjugate, std::nullopt, std::nullopt);
   EXPECT_EQ(pile.network->current().connected(), 0U);

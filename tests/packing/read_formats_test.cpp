@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "packing/formats/packing_builder.hpp"
 #include "packing/read.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -77,6 +78,20 @@ TEST(ReadLammpsDump, RefusesBadFramesByLine) {
 const std::string data_head =
     "LAMMPS data file, 3 atoms or so\n\n2 atoms\n2 atom types\n\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\n";
 
+TEST(ReadLammpsDump, AFrameThatDoesNotCountItsAtomsMayBeCutOff) {
+  expect_says(refusal("ITEM: TIMESTEP\n100\nITEM: ATOMS id x y z radius\n1 0 0 0 1\n"),
+              {"p.txt:", "no 'ITEM: NUMBER OF ATOMS'"});
+}
+
+TEST(ReadLammpsData, ARowThatBeginsWithABrokenNumberEndsNoSection) {
+  const auto data = [](const std::string& row) {  // the header announces what would be left
+    return "title\n\n1 atoms\n\nAtoms # sphere\n\n1 1 1.0 1000 0 0 0\n" + row + "\n3 1 1.0 1000 4 0 0\n";
+  };
+  for (const char* row : {"nan 1 1.0 1000 2 0 0", "-nan 1 1.0 1000 2 0 0", "Infinity 1 1.0 1000 2 0 0", "NaN",
+                          "two 1 1.0 1000 2 0 0"})
+    expect_says(refusal(data(row)), {"p.txt:8:"});
+}
+
 TEST(ReadLammpsData, ReadsTheAtomsSectionOnly) {
   const auto packing = read_text(
       data_head +
@@ -120,6 +135,32 @@ TEST(ReadYade, RefusesBadRowsByLine) {
 
 std::string mercury_row(const std::string& centre, const std::string& radius, const std::string& species) {
   return centre + " 0 0 0 " + radius + " 0 0 0 0 0 0 " + species + "\n";
+}
+
+TEST(ReadYade, AFormatBelowParticlesIsRefusedSinceRowsMustAllHaveAMaterialOrNone) {
+  expect_says(refusal("#format x_y_z_r\n0 0 0 1\n#format x_y_z_r_matId\n3 0 0 1 a\n6 0 0 1 b\n"),
+              {"p.txt:3:", "above"});
+  expect_says(refusal("#format x_y_z_r_matId\n0 0 0 1 a\n3 0 0 1 b\n#format x_y_z_r\n6 0 0 1\n"),
+              {"p.txt:4:", "above"});
+}
+
+TEST(PackingBuilder, RowsAllHaveAMaterialOrNone) {
+  using Step = void (*)(PackingBuilder&);
+  const Step plain = [](PackingBuilder& b) { b.add(10 + b.size(), 0, {3.0 * double(b.size()), 0, 0}, 1); };
+  const Step named = [](PackingBuilder& b) {
+    b.add(10 + b.size(), 0, {3.0 * double(b.size()), 0, 0}, 1);
+    b.set_material("a");
+  };
+  const auto built = [](std::vector<Step> steps) {
+    return test::message_of<InputError>([&] {
+      PackingBuilder builder("p.txt", 1);
+      for (const auto step : steps) step(builder);
+      (void)builder.finish();
+    });
+  };
+  expect_says(built({plain, named}), {"p.txt:11:", "material"});
+  expect_says(built({named, plain, named}), {"p.txt:11:", "material"});
+  expect_says(built({named, plain}), {"p.txt:11:", "material"});
 }
 
 TEST(ReadMercury, TakesTheLastFrame) {

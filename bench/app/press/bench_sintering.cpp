@@ -29,7 +29,7 @@ int bench_sintering(const BenchCommand& command) {
   const auto one = dynamics::load_sintering_case(command.case_files.front());
   const double cpu_setup = process_cpu_seconds() - begin;
   const std::string folder = command.out.empty() ? default_output_folder(one.name) : command.out;
-  require_writable_folder(folder);
+  const OutputFolder locked(folder);
   const bool quiet = command.common.quiet;
   Progress progress(!quiet && stderr_is_terminal());
   options.threads = command.common.threads;
@@ -47,6 +47,7 @@ int bench_sintering(const BenchCommand& command) {
   BenchCase& thermal = report.cases.front();
   thermal.cpu_setup = cpu_setup;
   report.interrupted = stop_flag();
+  remove_stale_file(folder + "/results.json");  // it speaks for the others: gone first
   write_file_atomically(folder + "/results.csv", results_csv(report.cases));
   write_file_atomically(folder + "/results.json", results_json(report));
   if (!quiet) warn(thermal.warnings);

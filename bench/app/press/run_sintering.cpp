@@ -10,6 +10,7 @@
 #include "bench/host/interrupt.hpp"
 #include "bench/host/progress.hpp"
 #include "bench/output/output_folder.hpp"
+#include "bench/output/run_files.hpp"
 #include "bench/output/vtk_frames.hpp"
 #include "bench/press/sintering_figure.hpp"
 #include "bench/press/sintering_vtk.hpp"
@@ -17,6 +18,7 @@
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "integrators/press/checkpoint.hpp"
+#include "integrators/press/model_description.hpp"
 #include "integrators/registry.hpp"
 #include "integrators/spec_settings.hpp"
 
@@ -55,6 +57,7 @@ void begin(const SinteringCase& one, const RunCommand& command, Motion& motion) 
       stored.particles.mass != here.mass || stored.state.size() != here.size())
     throw InputError(fmt::format("{}: holds other particles than {}; restart with the case that wrote it",
                                  command.restart, one.file));
+  dynamics::require_same_model(stored, one.model, command.restart, one.file);
   if (!(stored.state.time < one.t_end))
     throw InputError(fmt::format("{}: its time {} s is not before t_end = {} s of {}; raise t_end",
                                  command.restart, stored.state.time, one.t_end, one.file));
@@ -78,7 +81,8 @@ class Checkpoints {
   }
   void write(const SinteringCase& one, const Motion& motion) const {
     write_file_atomically(file_, dynamics::checkpoint_image(
-                                     {one.particles, motion.state(), motion.next_step(), motion.history()}));
+                                     {one.particles, motion.state(), motion.next_step(), motion.history(),
+                                      dynamics::model_description(one.model, motion.state().time)}));
   }
   [[nodiscard]] bool wanted() const noexcept { return interval_.has_value(); }
 
@@ -95,10 +99,18 @@ std::string snapshot_name(std::size_t number) {
 /// Files of particles at the output times.
 class Snapshots {
  public:
-  Snapshots(const SinteringCase& one, const RunCommand& command, const std::string& folder)
+  /// A restart goes on with the series that it finds, from the time `begin` [s].
+  Snapshots(const SinteringCase& one, const RunCommand& command, const std::string& folder, double begin)
       : one_(one), folder_(folder) {
-    remove_vtk_series(folder);  // old fields beside new ones mislead
-    if (command.vtk) vtk_.emplace(folder);
+    begin_run_files(folder);
+    if (!command.vtk) {
+      if (!command.common.quiet && has_vtk_series(folder))
+        note(fmt::format("{}/vtk holds the fields of an earlier run", folder));
+    } else if (command.restart.empty()) {
+      vtk_.emplace(folder);
+    } else {
+      vtk_.emplace(folder, begin);
+    }
   }
   /// For ParaView, where the motion is now.
   void add_frame(const Motion& motion) {
@@ -143,10 +155,11 @@ SinteringResult integrate(const SinteringCase& one, const RunCommand& command, c
                           Motion& motion, Progress& progress) {
   SinteringResult result;
   Checkpoints checkpoints(folder + "/checkpoint.bin", command.checkpoint);
-  Snapshots snapshots(one, command, folder);
   motion.stop = &stop_flag();
   const double cpu = process_cpu_seconds(), wall = wall_seconds();
   begin(one, command, motion);
+  Snapshots snapshots(one, command, folder,
+                      motion.state().time);  // after a bad checkpoint nothing is touched
   checkpoints.started_at(motion.state().time);
   snapshots.add_frame(motion);
   motion.after_step = [&] {
@@ -178,7 +191,7 @@ int exit_code_of(const Outcome& outcome) {
 /// One run into one folder.
 int run_into(const SinteringCase& one, const RunCommand& command, double cpu_setup,
              const std::string& folder) {
-  require_writable_folder(folder);
+  const OutputFolder locked(folder);
   const bool quiet = command.common.quiet;
   Progress progress(!quiet && stderr_is_terminal());
   Motion motion(one.model, one.particles, one.stepping);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "case/press/read_particles.hpp"
 #include "case/press/read_values.hpp"
@@ -35,6 +36,19 @@ BondLaw read_bond(TomlTable table) {
     rupture->reject("a bond that acts in overlap only cannot rupture; remove it, or take rule = \"tension\"");
   if (rupture) law.rupture = table.positive("rupture", "-");
   return law;
+}
+
+/// Where a bond pulls harder than the contact pushes at every overlap there is, nothing stops two particles
+/// on their way into each other, and the speed that they gain is without bound.
+void require_bounded_attraction(TomlTable& bond, const BondLaw& law, const ContactLaw& contact) {
+  const bool softens = std::isfinite(contact.softening.temperature);
+  const double softest = softens ? std::min(contact.softening.floor, contact.stiffness) : contact.stiffness;
+  if (law.stiffness < softest || law.stiffness == 0) return;
+  bond.require("stiffness", "")
+      .reject(fmt::format(
+          "it must be below {} N/m2, the {} of [dynamics.contact]: a bond that pulls harder than the contact "
+          "pushes draws its particles into each other",
+          softest, softens ? "stiffness_floor of hot contacts" : "stiffness"));
 }
 
 void read_wall_temperatures(TomlTable& table, ThermalLaw& law) {
@@ -153,7 +167,10 @@ ModelInput read_model(TomlTable& root, double t_end) {
   model.box = read_box(table_from(dynamics, "box", "it holds the corners min and max"));
   model.contact = read_contact(table_from(dynamics, "contact", "it holds the law between particles"));
   model.wall = read_contact(table_from(dynamics, "wall", "it holds the law between particle and wall"));
-  if (dynamics.find("bond")) model.bond = read_bond(*dynamics.table("bond"));
+  if (auto bond = dynamics.table("bond")) {
+    model.bond = read_bond(*bond);
+    require_bounded_attraction(*bond, model.bond, model.contact);
+  }
   model.schedule = read_phases(dynamics, model, t_end);
   read_particles(table_from(dynamics, "particles", "it holds count and radius, or a list"), density, initial,
                  input);

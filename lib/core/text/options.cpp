@@ -98,7 +98,8 @@ std::string OptionKey::range() const {
 Options::Options(Spec spec, std::span<const OptionKey> keys) : spec_(std::move(spec)) {
   std::vector<std::string> names;
   for (const auto& key : keys) names.push_back(key.name);
-  for (const auto& [name, value] : spec_.settings) {
+  for (const auto& [given, value] : spec_.settings) {
+    const std::string& name = given;  // a lambda may not capture half of a pair
     const auto key =
         std::find_if(keys.begin(), keys.end(), [&](const OptionKey& k) { return k.name == name; });
     if (key == keys.end())

@@ -45,7 +45,8 @@ class TomlValue {
   std::shared_ptr<const Node> node_;
 };
 
-/// A table of a case file. Keys that nobody asked for are errors once `finish` is called.
+/// A table of a case file. The file remembers which keys were asked for in which table, those inside arrays
+/// included: what nobody asked for is an error once `finish` is called, at the root for all of them.
 class TomlTable {
  public:
   /// Parses a file. Throws InputError for anything that is not TOML, too large, or nested too deeply.
@@ -62,7 +63,12 @@ class TomlTable {
   [[nodiscard]] std::optional<std::string> string(const std::string& key);
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
 
-  /// Throws InputError for the first key that was never asked for, naming the nearest that was.
+  /// Throws InputError because `key` is not there: "where: what", or, where a key that nobody asked for
+  /// looks like it, that one is misspelt.
+  [[noreturn]] void missing(const std::string& key, const std::string& what) const;
+
+  /// Throws InputError for the first key, here or in a table below that was read, that was never asked for;
+  /// names the nearest that was.
   void finish() const;
   /// "file:line: [a.b]"
   [[nodiscard]] std::string where() const;

@@ -63,7 +63,16 @@ double PackingBuilder::metres(std::size_t line, double length, std::string_view 
   return value;
 }
 
+void PackingBuilder::require_materials() const {
+  if (packing_.material.empty() || packing_.material.size() == packing_.size()) return;
+  throw InputError(
+      fmt::format("{}: the particle has no material, and others have one; name a material in every row or in "
+                  "none",
+                  where(line_.back())));
+}
+
 void PackingBuilder::add(std::size_t line, std::int64_t id, Vec3 centre, double radius) {
+  require_materials();
   if (!(radius > 0))
     throw InputError(fmt::format("{}: radius is {}; it must be > 0; correct it or remove the particle",
                                  where(line), radius));
@@ -77,6 +86,11 @@ void PackingBuilder::add(std::size_t line, std::int64_t id, Vec3 centre, double 
 void PackingBuilder::set_material(std::string_view name) {
   auto& names = packing_.material_names;
   auto& material = packing_.material;
+  if (material.size() + 1 != packing_.size())
+    throw InputError(
+        fmt::format("{}: the particle has a material, and earlier ones have none; name a material in every "
+                    "row or in none",
+                    where(line_.empty() ? 0 : line_.back())));
   if (!material.empty() && name == names[static_cast<std::size_t>(material.back())]) {
     material.push_back(material.back());
     return;
@@ -119,6 +133,7 @@ void PackingBuilder::check_centres() const {
 Packing PackingBuilder::finish() {
   if (packing_.radius.empty())
     throw InputError(fmt::format("{}: has a header but no particles; at least one is needed", path_));
+  require_materials();
   check_ids();
   check_centres();
   if (packing_.material.empty()) packing_.material.assign(packing_.size(), 0);

@@ -20,7 +20,8 @@ class PackingBuilder {
   /// A sphere in the file's units. Throws InputError for a radius <= 0 and for lengths that cannot be
   /// computed with.
   void add(std::size_t line, std::int64_t id, Vec3 centre, double radius);
-  /// Material of the sphere added last. Either every sphere has one or none.
+  /// Material of the sphere added last. Either every sphere has one or none: InputError otherwise, at the
+  /// latest from `finish`.
   void set_material(std::string_view name);
   /// Forgets a material that all spheres share: the mere number 1 in a format that always numbers its
   /// materials.
@@ -33,6 +34,7 @@ class PackingBuilder {
  private:
   [[nodiscard]] std::string where(std::size_t line) const;
   [[nodiscard]] double metres(std::size_t line, double length, std::string_view what) const;
+  void require_materials() const;
   void check_ids() const;
   void check_centres() const;
 

@@ -32,8 +32,14 @@ void add_atom(PackingBuilder& builder, const TextRow& row) {
   builder.set_material(row[1]);
 }
 
+/// Headings are words. "nan" and "inf" are what a writer makes of a broken number: they begin a row.
 bool is_heading(const TextRow& row) {
-  return std::isalpha(static_cast<unsigned char>(row[0].front())) != 0;
+  std::string first(row[0]);
+  for (auto& c : first) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (first == "nan" || first == "inf" || first == "infinity") return false;
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (!std::isalpha(static_cast<unsigned char>(row[k].front()))) return false;
+  return true;
 }
 
 }  // namespace

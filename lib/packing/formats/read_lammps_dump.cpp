@@ -95,7 +95,11 @@ Packing read_lammps_dump(const PackingFile& file) {
       columns = find_columns(row);
     }
   }
-  if (expected && *expected != static_cast<std::int64_t>(builder.size()))
+  if (!expected)
+    throw InputError(
+        fmt::format("{}: the last frame has no '{}', which tells whether it is whole; write the dump again",
+                    file.path, count_item));
+  if (*expected != static_cast<std::int64_t>(builder.size()))
     throw InputError(
         fmt::format("{}:{}: the last frame ends after {} atoms; it announces {}; the file is cut off or "
                     "edited: remove that frame or write the dump again",

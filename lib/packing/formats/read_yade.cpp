@@ -17,6 +17,11 @@ Packing read_yade(const PackingFile& file) {
     row.split(lines.line(), lines.number());
     if (row.size() == 0) continue;
     if (row[0] == "#format") {
+      if (builder.size() > 0)
+        throw InputError(
+            fmt::format("{}: a line #format follows particles; it must stand above them, once: two exports "
+                        "in one file are two packings",
+                        row.where()));
       format = row.size() == 2 ? std::string(row[1]) : std::string{};
       if (format != "x_y_z_r" && format != "x_y_z_r_matId")
         throw InputError(

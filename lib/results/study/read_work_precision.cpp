@@ -1,5 +1,6 @@
 #include "results/study/read_work_precision.hpp"
 
+#include "core/error.hpp"
 #include "core/text/number.hpp"
 #include "core/text/options.hpp"
 #include "results/text/csv_table.hpp"
@@ -19,7 +20,11 @@ WorkPrecisionPoint point_of(const CsvTable& table, std::size_t row) {
   point.integrator = table.text(row, table.column("integrator"));
   point.params = table.text(row, table.column("params"));
   point.spec = point.integrator + (point.params.empty() ? "" : ":" + point.params);
-  point.family = family_of(parse_spec(point.spec));
+  try {
+    point.family = family_of(parse_spec(point.spec));
+  } catch (const UsageError& error) {  // nobody typed it: it is the file that has to be mended
+    table.reject(row, error.what());
+  }
   point.status = table.text(row, table.column("status"));
   point.reason = table.text(row, table.column("reason"));
   point.sweeps = count(table, row, "sweeps");

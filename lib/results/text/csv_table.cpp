@@ -30,7 +30,7 @@ void CsvTable::parse() {
     }
     ++rows;
     if (row.size() != columns_.size())
-      fail(rows - 1, fmt::format("it has {} cells, the header has {}", row.size(), columns_.size()));
+      reject(rows - 1, fmt::format("it has {} cells, the header has {}", row.size(), columns_.size()));
     cells_.insert(cells_.end(), row.begin(), row.end());
   }
 }
@@ -60,10 +60,10 @@ std::string_view CsvTable::take_quoted(std::size_t& position) {
       return unquoted_.emplace_back(std::move(text));
     }
   }
-  fail(rows(), "a quote stays open");
+  reject(rows(), "a quote stays open");
 }
 
-void CsvTable::fail(std::size_t row, const std::string& rule) const {
+void CsvTable::reject(std::size_t row, const std::string& rule) const {
   throw InputError(fmt::format("{}: row {} below the header: {}; write the file anew", path_, row + 1, rule));
 }
 
@@ -88,14 +88,14 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
   if (cell.empty()) return std::nullopt;
   const auto value = parse_number(cell);
   if (!value)
-    fail(row, fmt::format("column '{}' is {}; it must be a finite number or empty", columns_[column],
-                          quoted(cell)));
+    reject(row, fmt::format("column '{}' is {}; it must be a finite number or empty", columns_[column],
+                            quoted(cell)));
   return value;
 }
 
 double CsvTable::required(std::size_t row, std::size_t column) const {
   const auto value = number(row, column);
-  if (!value) fail(row, fmt::format("column '{}' is empty", columns_[column]));
+  if (!value) reject(row, fmt::format("column '{}' is empty", columns_[column]));
   return *value;
 }
 

@@ -31,12 +31,13 @@ class CsvTable {
   [[nodiscard]] std::optional<double> number(std::size_t row, std::size_t column) const;
   /// The same, but an empty cell is an InputError.
   [[nodiscard]] double required(std::size_t row, std::size_t column) const;
+  /// Throws InputError about a row: "file: row n below the header: rule".
+  [[noreturn]] void reject(std::size_t row, const std::string& rule) const;
 
  private:
   void parse();
   std::string_view take_cell(std::size_t& position, bool& ends_row);
   std::string_view take_quoted(std::size_t& position);
-  [[noreturn]] void fail(std::size_t row, const std::string& rule) const;
 
   std::string path_, content_;
   std::deque<std::string> unquoted_;  // cells that are not a piece of the content

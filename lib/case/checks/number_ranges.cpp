@@ -1,0 +1,92 @@
+#include "case/checks/number_ranges.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr double smallest = 1e-40, largest = 1e40;
+
+bool is_workable(double value) noexcept {
+  return value >= smallest && value <= largest;
+}
+
+/// Checks one field; messages begin with the case's file.
+class Check {
+ public:
+  Check(const std::string& file, const FieldScene& field) : file_(file), field_(field), graph_(field.graph) {}
+
+  void nodes() const {
+    for (std::size_t node = 0; node < graph_.nodes(); ++node) {
+      if (!field_.steady && !is_workable(graph_.capacity[node]))
+        reject(of_node("capacity", node), graph_.capacity[node], "J/K or F");
+      size(of_node("initial value", node), graph_.initial[node], field_.unit);
+      if (graph_.is_fixed[node]) size(of_node("fixed value", node), graph_.fixed_value[node], field_.unit);
+      size(of_node("source", node), graph_.source[node], "W or A");
+    }
+  }
+  void edges() const {
+    for (std::size_t edge = 0; edge < graph_.edges(); ++edge)
+      if (graph_.conductance[edge] != 0 && !is_workable(graph_.conductance[edge]))
+        reject(fmt::format("the conductance {}-{}", id(graph_.i[edge]), id(graph_.j[edge])),
+               graph_.conductance[edge], "W/K or S");
+  }
+  void exchanges() const {
+    for (const auto* list : {&graph_.convection, &graph_.radiation})
+      for (const auto& exchange : *list) {
+        const auto node = static_cast<std::size_t>(exchange.node);
+        if (exchange.coefficient != 0 && !is_workable(exchange.coefficient))
+          reject(of_node("exchange with the surroundings", node), exchange.coefficient, "W/K or W/K4");
+        if (exchange.table < 0) size(of_node("ambient temperature", node), exchange.ambient, field_.unit);
+      }
+  }
+  void tables() const {
+    for (const auto& table : graph_.tables)
+      for (const double value : table.value) size("a value of a table of time", value, "");
+  }
+
+ private:
+  [[nodiscard]] std::int64_t id(std::int32_t node) const { return graph_.id[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] std::string of_node(const char* what, std::size_t node) const {
+    return fmt::format("the {} of node {}", what, graph_.id[node]);
+  }
+  void size(const std::string& what, double value, const std::string& unit) const {
+    if (std::abs(value) > largest)
+      throw InputError(fmt::format("{}: {}: {} is {} {}; it must not exceed {:g} in size", file_, field_.name,
+                                   what, value, unit, largest));
+  }
+  [[noreturn]] void reject(const std::string& what, double value, const char* unit) const {
+    throw InputError(
+        fmt::format("{}: {}: {} is {} {}; it must lie between {:g} and {:g}, where every method can compute; "
+                    "check the units, or choose others",
+                    file_, field_.name, what, value, unit, smallest, largest));
+  }
+
+  const std::string& file_;
+  const FieldScene& field_;
+  const Graph& graph_;
+};
+
+}  // namespace
+
+void require_workable_numbers(const Scene& scene) {
+  for (const double t : scene.output_times)
+    if (!is_workable(t))
+      throw InputError(
+          fmt::format("{}: the output time {} s is beyond what can be computed with; it must lie "
+                      "between {:g} and {:g} s",
+                      scene.file, t, smallest, largest));
+  for (const auto& field : scene.fields) {
+    const Check check(scene.file, field);
+    check.nodes();
+    check.edges();
+    check.exchanges();
+    check.tables();
+  }
+}
+
+}  // namespace superstep

@@ -1,0 +1,126 @@
+#include "results/text/json_object.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text/text_file.hpp"
+
+namespace superstep {
+namespace {
+
+using Json = JsonObject::Json;
+
+std::string shown(const Json& value) {
+  if (value.is_array()) return "an array";
+  if (value.is_object()) return "an object";
+  return superstep::quoted(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace
+
+JsonObject::JsonObject(std::string file, const Json& json, std::string path)
+    : file_(std::move(file)), path_(std::move(path)), json_(&json) {
+  if (!json.is_object())
+    throw InputError(fmt::format("{}: {} is {}; it must be an object; write the file anew", file_,
+                                 path_.empty() ? "the root" : "key '" + path_ + "'", shown(json)));
+}
+
+std::string JsonObject::path_of(const std::string& key) const {
+  return path_.empty() ? key : path_ + "." + key;
+}
+
+void JsonObject::reject(const std::string& key, const std::string& rule) const {
+  const Json* value = find(key);
+  throw InputError(fmt::format("{}: key '{}' is {}; {}; write the file anew", file_, path_of(key),
+                               value ? shown(*value) : "missing", rule));
+}
+
+const Json* JsonObject::find(const std::string& key) const {
+  const auto found = json_->find(key);
+  return found == json_->end() || found->is_null() ? nullptr : &*found;
+}
+
+std::string JsonObject::text(const std::string& key) const {
+  const Json* value = find(key);
+  if (!value) return {};
+  if (!value->is_string()) reject(key, "it must be a string");
+  return value->get<std::string>();
+}
+
+std::optional<double> JsonObject::number(const std::string& key) const {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_number() || !std::isfinite(value->get<double>())) reject(key, "it must be a finite number");
+  return value->get<double>();
+}
+
+bool JsonObject::flag(const std::string& key) const {
+  const Json* value = find(key);
+  if (!value) return false;
+  if (!value->is_boolean()) reject(key, "it must be true or false");
+  return value->get<bool>();
+}
+
+std::optional<std::uint64_t> JsonObject::count_up_to(const std::string& key, std::uint64_t most) const {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > most)
+    reject(key, fmt::format("it must be an integer from 0 to {}", most));
+  return value->get<std::uint64_t>();
+}
+
+const Json* JsonObject::array(const std::string& key) const {
+  const Json* value = find(key);
+  if (value && !value->is_array()) reject(key, "it must be an array");
+  return value;
+}
+
+std::vector<double> JsonObject::numbers(const std::string& key) const {
+  std::vector<double> out;
+  const Json* values = array(key);
+  if (!values) return out;
+  for (const auto& value : *values) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      reject(key, fmt::format("its entries must be finite numbers, and one is {}", shown(value)));
+    out.push_back(value.get<double>());
+  }
+  return out;
+}
+
+std::vector<std::string> JsonObject::texts(const std::string& key) const {
+  std::vector<std::string> out;
+  const Json* values = array(key);
+  if (!values) return out;
+  for (const auto& value : *values) {
+    if (!value.is_string())
+      reject(key, fmt::format("its entries must be strings, and one is {}", shown(value)));
+    out.push_back(value.get<std::string>());
+  }
+  return out;
+}
+
+std::optional<JsonObject> JsonObject::object(const std::string& key) const {
+  const Json* value = find(key);
+  return value ? std::optional<JsonObject>(std::in_place, file_, *value, path_of(key)) : std::nullopt;
+}
+
+std::vector<JsonObject> JsonObject::objects(const std::string& key) const {
+  std::vector<JsonObject> out;
+  if (const Json* values = array(key))
+    for (std::size_t k = 0; k < values->size(); ++k)
+      out.emplace_back(file_, (*values)[k], fmt::format("{}[{}]", path_of(key), k));
+  return out;
+}
+
+Json parse_results(const std::string& file, const std::string& schema, int newest) {
+  Json json = Json::parse(read_text_file(file), nullptr, /*allow_exceptions=*/false);
+  if (json.is_discarded()) throw InputError(fmt::format("{}: it is not JSON; write it anew", file));
+  if (!json.is_object() || JsonObject(file, json).text("schema") != schema)
+    throw InputError(fmt::format("{}: its schema is not '{}'; give the folder of a result", file, schema));
+  const JsonObject root(file, json);
+  if (root.count<int>("schema_version").value_or(0) > newest)
+    throw InputError(fmt::format("{}: its schema version is newer than {}; update superstep", file, newest));
+  return json;
+}
+
+}  // namespace superstep
