@@ -75,6 +75,7 @@ class Integrator {
   [[nodiscard]] Outcome propagate_to(double target);
   void list_instants();
 
+  [[nodiscard]] double law_slack() const noexcept;
   [[nodiscard]] Outcome look_at(std::span<const double> y);
   void settle_if_steady();
   void unsettle();
@@ -109,6 +110,7 @@ class Integrator {
   double step_ = 0;  ///< planned controlled step, 0 = not chosen yet [s]
   double cap_ = 0;   ///< own steps are not longer than this, after a step had to be repeated [s]
   unsigned since_look_ = 0;
+  int lawless_ = 0;  // steps that went beyond the range of a law
   std::optional<double> settled_at_;
   Statistics counted_, statistics_;  ///< by the driver; with what the method counts
 };

@@ -15,6 +15,7 @@ namespace superstep {
 namespace {
 
 constexpr double smallest_shrink = 0.1;
+constexpr int most_lawless = 1000;  // of one run: its solution leaves the law for good
 constexpr double most_own_steps = 1e12;
 
 }  // namespace
@@ -49,7 +50,7 @@ Outcome Integrator::take_own_steps(double target) {
     if (!look.trial.solved || !look.stable || !look.lawful) {
       ++counted_.rejected;
       const double h = step.h();
-      if (!varies || t_ + smallest_shrink * h <= t_) return cannot_shrink(h, look);
+      if (!varies || t_ + smallest_shrink * h <= t_ || lawless_ > most_lawless) return cannot_shrink(h, look);
       cap_ = std::clamp(look.limit, smallest_shrink * h, 0.5 * h);
     } else {
       lattice_.done += chain;
@@ -69,7 +70,10 @@ Integrator::Look Integrator::try_step(const Step& step) {
   look.trial = stepper_->attempt(step, state_, next_);
   if (!look.trial.solved) return look;
   const double t_end = step.ends.back();
-  if (rhs_->law_violation(next_)) look.lawful = false;
+  if (rhs_->law_violation(next_, law_slack())) {
+    look.lawful = false;
+    ++lawless_;
+  }
   if (stepper_->stability_varies()) {
     look.limit = stepper_->stable_step(t_end, next_);
     constexpr double rounding = 1e-9;
@@ -81,7 +85,7 @@ Integrator::Look Integrator::try_step(const Step& step) {
 Outcome Integrator::cannot_shrink(double h, const Look& look) const {
   const std::string at = fmt::format(" at t = {:.6g} s with a step of {:.3g} s", t_, h);
   if (!look.trial.solved) return {Status::failed, look.trial.reason + at};
-  if (const auto violation = look.lawful ? std::nullopt : rhs_->law_violation(next_))
+  if (const auto violation = look.lawful ? std::nullopt : rhs_->law_violation(next_, law_slack()))
     return {Status::failed, *violation + at};
   return {Status::unstable,
           fmt::format("errors grow{}: the state at its end allows {:.3g} s", at, look.limit)};
@@ -141,7 +145,7 @@ Outcome Integrator::take_controlled_steps(double target) {
     const bool good = look.trial.solved && look.stable && look.lawful && relative <= 1;
     if (!good) {
       ++counted_.rejected;
-      if (++rejected > most_rejections) return cannot_shrink(h, look);
+      if (++rejected > most_rejections || lawless_ > most_lawless) return cannot_shrink(h, look);
       if (!look.trial.solved)
         step_ = h * (look.trial.factor > 0 ? look.trial.factor : 0.25);
       else if (!look.stable || !look.lawful)

@@ -19,9 +19,17 @@ gate() {
   return "$status"
 }
 
+# Sources as the checked-in configuration formats them, where the tool is.
+check_format() {
+  if ! command -v clang-format >/dev/null; then return; fi
+  git -C "$root" ls-files '*.hpp' '*.cpp' | (cd "$root" && xargs clang-format --dry-run --Werror)
+}
+
 preset=release
 if [[ ${SUPERSTEP_SANITIZE:-0} == 1 ]]; then preset=asan; fi
 install_missing_packages
+install_optional_packages "the format of sources is not checked" clang-format
+check_format
 install_optional_packages "tests of the report in a browser and of VTK files are skipped" chromium fonts-dejavu-core python3-vtk9
 fetch_chart_library
 fetch_node_modules tests/browser "tests of the report in a browser are skipped"

@@ -60,7 +60,7 @@ Container container_of(const Arguments& values, double unit) {
     container.depth = length("--depth", values.depth);
   } else {
     const std::vector<std::string> shapes = {"cylinder", "box"};
-    throw UsageError(fmt::format("--container {} is not valid{}", quoted(values.container),
+    throw UsageError(fmt::format("--container {} is not valid{}", superstep::quoted(values.container),
                                  suggestion(values.container, shapes)));
   }
   return container;

@@ -236,10 +236,10 @@ double NonlinearRhs::linear_inflow(std::span<const double> v) const {
   return thermal_->conduction_inflow(temperature_of(v));
 }
 
-std::optional<std::string> NonlinearRhs::law_violation(std::span<const double> y) {
+std::optional<std::string> NonlinearRhs::law_violation(std::span<const double> y, double slack) {
   const auto temperature = temperature_of(y);  // its rows are the first slots
   for (const auto* conductivity : {pointer_to(thermal_conductivity_), pointer_to(electric_conductivity_)}) {
-    const auto slot = conductivity ? conductivity->first_outside(temperature) : std::nullopt;
+    const auto slot = conductivity ? conductivity->first_outside(temperature, slack) : std::nullopt;
     if (!slot) continue;
     const auto node = conductivity->node_of_slot(*slot);
     const auto what =

@@ -43,7 +43,8 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] std::span<const double> capacities() const noexcept override { return capacity_; }
   [[nodiscard]] double inflow(double t, std::span<const double> y) override;
   [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
-  [[nodiscard]] std::optional<std::string> law_violation(std::span<const double> y) override;
+  [[nodiscard]] std::optional<std::string> law_violation(std::span<const double> y,
+                                                         double slack = 0) override;
   [[nodiscard]] OneWayCoupling* one_way() override;
   void enter(double begin, double end) override;
   void leave() override;

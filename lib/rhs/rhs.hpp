@@ -107,7 +107,9 @@ class Rhs {
 
   /// Says which law a state goes beyond, at which node, and the way out; nothing where all hold. A trial
   /// state beyond is to be tried again smaller, an accepted one ends the run. Cheap where no law is limited.
-  [[nodiscard]] virtual std::optional<std::string> law_violation(std::span<const double> /*y*/) {
+  ///   slack  [K] how far beyond still counts as at the end of the range: what the state may err by
+  [[nodiscard]] virtual std::optional<std::string> law_violation(std::span<const double> /*y*/,
+                                                                 double /*slack*/ = 0) {
     return std::nullopt;
   }
 

@@ -332,7 +332,7 @@ std::string TomlTable::where() const {
 
 std::vector<TomlTable::Leaf> TomlTable::leaves() const {
   std::vector<Leaf> all;
-  collect(*data_->table, data_->path, all);
+  collect(*data_->table, data_->asked.path, all);
   std::sort(all.begin(), all.end(), [](const Leaf& a, const Leaf& b) { return a.path < b.path; });
   return all;
 }

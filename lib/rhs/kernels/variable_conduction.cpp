@@ -35,12 +35,14 @@ void SlotConductivity::update_slopes(std::span<const double> temperature) {
   for (std::size_t s = 0; s < slope_.size(); ++s) slope_[s] = law_of_slot(s).slope(temperature[s]);
 }
 
-std::optional<std::size_t> SlotConductivity::first_outside(
-    std::span<const double> temperature) const noexcept {
+std::optional<std::size_t> SlotConductivity::first_outside(std::span<const double> temperature,
+                                                           double slack) const noexcept {
   if (!limited_) return std::nullopt;
-  for (std::size_t s = 0; s < temperature.size(); ++s)
-    if (const auto& law = law_of_slot(s); law.limited() && !law.covers(temperature[s], margin_of_states))
-      return s;
+  for (std::size_t s = 0; s < temperature.size(); ++s) {
+    const auto& law = law_of_slot(s);
+    if (!law.limited() || law.covers(temperature[s], margin_of_states)) continue;
+    if (!law.covers(temperature[s] - slack) && !law.covers(temperature[s] + slack)) return s;
+  }
   return std::nullopt;
 }
 

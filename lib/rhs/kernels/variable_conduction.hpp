@@ -37,7 +37,8 @@ class SlotConductivity {
   /// computed temperature may leave a table by 1 % of its width: where start or fixed values are at its end,
   /// every method's error does that, and the end value holds there.
   /// Looks at none where no law is limited.
-  [[nodiscard]] std::optional<std::size_t> first_outside(std::span<const double> temperature) const noexcept;
+  [[nodiscard]] std::optional<std::size_t> first_outside(std::span<const double> temperature,
+                                                         double slack) const noexcept;
   [[nodiscard]] std::int32_t node_of_slot(std::size_t slot) const noexcept { return node_of_slot_[slot]; }
   [[nodiscard]] const ConductivityLaw& law_of_slot(std::size_t slot) const noexcept {
     return laws_.of_node(node_of_slot_[slot]);

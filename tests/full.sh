@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Everything that takes longer than continuous integration may: the suite under sanitizers, the audit over hundreds of
+# scenes, warnings as errors with every compiler that is installed, shellcheck where it is. Hours on two cores.
+#   full.sh [SEEDS]   scenes of the audit (default 500)
+set -euo pipefail
+# shellcheck source=bench/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../bench/setup.sh"
+seeds=${1:-500}
+
+"$root/tests/run.sh"
+
+cd "$root"
+SUPERSTEP_SANITIZE=1 ./tests/run.sh
+
+audit=build/release/bin/superstep_audit
+for check in "" --reference --shift --spans; do
+  # shellcheck disable=SC2086
+  "$audit" --seeds "1:$((seeds + 1))" --jobs "$(nproc)" --list-bad $check
+done
+
+build_preset dev
+if command -v clang++ >/dev/null; then
+  cmake -S . -B build/clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang -DSUPERSTEP_WERROR=ON
+  cmake --build build/clang --parallel "$(nproc)"
+fi
+if command -v shellcheck >/dev/null; then shellcheck -x bench/*.sh tests/*.sh tests/*/*.sh .ci/run; fi
