@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/lab/growth.hpp"
+#include "bench/lab/frozen/growth.hpp"
 
 namespace superstep {
 namespace {

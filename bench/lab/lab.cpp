@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "bench/lab/critical_step.hpp"
-#include "bench/lab/limits.hpp"
+#include "bench/lab/frozen/limits.hpp"
 #include "bench/lab/methods.hpp"
 #include "bench/lab/rounding.hpp"
 #include "bench/lab/sweeps.hpp"

@@ -25,10 +25,9 @@ bool exists(const std::string& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-std::optional<Json> read_json(const std::string& path, const std::string& schema) {
-  constexpr int newest_schema = 1;
+std::optional<Json> read_json(const std::string& path, const std::string& schema, int newest = 1) {
   if (!exists(path)) return std::nullopt;
-  return parse_results(path, schema, newest_schema);
+  return parse_results(path, schema, newest);
 }
 
 /// What the page shows of a case's health, so that a value of another type is found while the file is known.
@@ -110,7 +109,7 @@ void require_version(const Json& json, const std::string& path) {
 void read_stability(ReportInput& input) {
   StabilityInput out;
   const std::string file = input.folder + "/stability.json";
-  out.summary = read_json(file, "superstep.stability");
+  out.summary = read_json(file, "superstep.stability", stability_schema_version);
   if (out.summary) require_version(*out.summary, file);
   if (out.summary) check_stability(JsonObject(file, *out.summary));
   for (const char* name : {"methods", "critical_step", "rounding", "sweeps", "states"})

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/lab/limits.hpp"
-#include "bench/lab/spectrum.hpp"
-#include "bench/lab/states_of_run.hpp"
+#include "bench/lab/frozen/limits.hpp"
+#include "bench/lab/frozen/spectrum.hpp"
+#include "bench/lab/frozen/states_of_run.hpp"
 #include "support/problem.hpp"
 #include "support/temporary_folder.hpp"
 

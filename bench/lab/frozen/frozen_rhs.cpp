@@ -1,4 +1,4 @@
-#include "bench/lab/frozen_rhs.hpp"
+#include "bench/lab/frozen/frozen_rhs.hpp"
 
 #include <algorithm>
 #include <array>

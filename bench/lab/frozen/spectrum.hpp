@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/lab/frozen_rhs.hpp"
+#include "bench/lab/frozen/frozen_rhs.hpp"
 
 namespace superstep {
 

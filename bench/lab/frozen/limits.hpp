@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "bench/host/progress.hpp"
-#include "bench/lab/frozen_rhs.hpp"
+#include "bench/lab/frozen/frozen_rhs.hpp"
 #include "case/scene.hpp"
 #include "results/study/stability_results.hpp"
 

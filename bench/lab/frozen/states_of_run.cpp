@@ -1,4 +1,4 @@
-#include "bench/lab/states_of_run.hpp"
+#include "bench/lab/frozen/states_of_run.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "bench/lab/growth.hpp"
+#include "bench/lab/frozen/growth.hpp"
 
 #include <algorithm>
 #include <cmath>

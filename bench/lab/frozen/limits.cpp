@@ -1,4 +1,4 @@
-#include "bench/lab/limits.hpp"
+#include "bench/lab/frozen/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "bench/lab/catalogue.hpp"
-#include "bench/lab/growth.hpp"
-#include "bench/lab/spectrum.hpp"
-#include "bench/lab/states_of_run.hpp"
+#include "bench/lab/frozen/growth.hpp"
+#include "bench/lab/frozen/spectrum.hpp"
+#include "bench/lab/frozen/states_of_run.hpp"
 
 namespace superstep {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/lab/spectrum.hpp"
+#include "bench/lab/frozen/spectrum.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
