@@ -60,10 +60,12 @@ class Automatic final : public Method {
 
   void prepare(Rhs& rhs, const Task& task) override {
     const std::string spec = choose(rhs, task);
-    method_ = make_method(spec);
-    Task own = task;  // the tolerance of the method chosen
-    for (double& allowed : own.allowed) allowed *= method_->rtol() / rtol_;
-    method_->prepare(rhs, own);
+    // The same method goes on with what a settled field leaves behind, and knows that it does.
+    if (!method_ || spec != spec_) method_ = make_method(spec);
+    spec_ = spec;
+    own_ = task;  // with the tolerance of the method chosen, which may keep it
+    for (double& allowed : own_.allowed) allowed *= method_->rtol() / rtol_;
+    method_->prepare(rhs, own_);
   }
   [[nodiscard]] double rtol() const override { return rtol_; }
   [[nodiscard]] OneStepMethod* one_step() override { return method_->one_step(); }
@@ -104,7 +106,8 @@ class Automatic final : public Method {
   }
 
   double rtol_;
-  std::string choice_;
+  std::string spec_, choice_;
+  Task own_;
   std::unique_ptr<Method> method_;
 };
 
