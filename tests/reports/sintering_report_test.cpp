@@ -176,12 +176,15 @@ TEST(SinteringReport, BrokenFilesAreRefused) {
             std::string::npos);
   press.motion["snapshots"][1]["file"] = "../elsewhere.csv";
   press.write(folder);
-  EXPECT_NE(
-      message_of<InputError>([&] { (void)read_motion(folder.file(".")); }).find("it must name a file inside the folder"),
-      std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] {
+              (void)read_motion(folder.file("."));
+            }).find("it must name a file inside the folder"),
+            std::string::npos);
   press.motion["snapshots"] = {1};
   press.write(folder);
-  EXPECT_NE(message_of<InputError>([&] { (void)read_motion(folder.file(".")); }).find("key 'motion.snapshots[0]' is"),
+  EXPECT_NE(message_of<InputError>([&] {
+              (void)read_motion(folder.file("."));
+            }).find("key 'motion.snapshots[0]' is"),
             std::string::npos);
   folder.write("history.csv", columns);
   EXPECT_NE(message_of<InputError>([&] { (void)read_motion(folder.file(".")); }).find("has no rows"),
