@@ -1,5 +1,8 @@
 #include "rhs/network_rhs.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace superstep {
 namespace {
 
@@ -50,6 +53,14 @@ void NetworkRhs::do_chain(std::span<ChainedStage> stages, bool with_inflow, Chai
   if (drive_.empty() || !with_inflow) return;
   const double driven = drive_inflow();
   for (auto& stage : stages) stage.inflow += driven;
+}
+
+void NetworkRhs::drive(std::span<const double> rate) {
+  drive_ = rate;
+  FieldFacts& facts = facts_.fields.front();  // rates are sources, and methods size their work by them
+  facts = field_->facts();
+  for (const double r : rate) facts.source_rate = std::max(facts.source_rate, std::abs(r));
+  facts.has_sources = facts.source_rate > 0;
 }
 
 double NetworkRhs::drive_inflow() const noexcept {

@@ -33,7 +33,7 @@ class NetworkRhs final : public Rhs {
   /// See FieldOperator::assume_cache.
   void assume_cache(std::size_t bytes) noexcept { field_->assume_cache(bytes); }
   /// Rates [n] added to f from now on [K/s or V/s]; they must outlive their use. Empty = none.
-  void drive(std::span<const double> rate) noexcept { drive_ = rate; }
+  void drive(std::span<const double> rate);
 
  private:
   void do_stage(double t, const Stage& stage, std::span<double> out) override;
