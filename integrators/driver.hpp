@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "integrators/detail/error_budget.hpp"
 #include "integrators/detail/probe_recorder.hpp"
@@ -76,6 +77,8 @@ class Integrator {
   void list_instants();
 
   [[nodiscard]] double law_slack() const noexcept;
+  /// Where steps have just been turned back by a law, that is why they are short.
+  [[nodiscard]] Outcome too_short(std::string why) const;
   [[nodiscard]] Outcome look_at(std::span<const double> y);
   void settle_if_steady();
   void unsettle();
@@ -110,7 +113,9 @@ class Integrator {
   double step_ = 0;  ///< planned controlled step, 0 = not chosen yet [s]
   double cap_ = 0;   ///< own steps are not longer than this, after a step had to be repeated [s]
   unsigned since_look_ = 0;
-  int lawless_ = 0;  // steps that went beyond the range of a law
+  int lawless_ = 0;                 // trial steps that went beyond the range of a law
+  std::string lawless_why_;         // of the last one
+  std::uint64_t lawless_step_ = 0;  // steps that had been accepted by then
   std::optional<double> settled_at_;
   Statistics counted_, statistics_;  ///< by the driver; with what the method counts
 };

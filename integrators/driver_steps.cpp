@@ -33,10 +33,10 @@ Outcome Integrator::take_own_steps(double target) {
       const double step = std::min(cap_, stepper_->own_step(t_, state_));
       const std::uint64_t count = steps_to_cover(target - t_, step);
       if (static_cast<double>(count) > most_own_steps)
-        return {Status::failed,
-                fmt::format("steps of {:.3g} s, the stable ones at t = {:.6g} s, would be {:.2g} "
-                            "to the end; take an implicit method, or auto",
-                            step, t_, static_cast<double>(count))};
+        return too_short(
+            fmt::format("steps of {:.3g} s, the stable ones at t = {:.6g} s, would be {:.2g} "
+                        "to the end; take an implicit method, or auto",
+                        step, t_, static_cast<double>(count)));
       const bool equal = stepper_->pace() == OneStepMethod::Pace::equal;
       lattice_ = {t_, target, equal ? (target - t_) / static_cast<double>(count) : step, count, 0};
     }
@@ -70,9 +70,11 @@ Integrator::Look Integrator::try_step(const Step& step) {
   look.trial = stepper_->attempt(step, state_, next_);
   if (!look.trial.solved) return look;
   const double t_end = step.ends.back();
-  if (rhs_->law_violation(next_, law_slack())) {
+  if (auto violation = rhs_->law_violation(next_, law_slack())) {
     look.lawful = false;
     ++lawless_;
+    lawless_why_ = std::move(*violation);
+    lawless_step_ = counted_.steps;
   }
   if (stepper_->stability_varies()) {
     look.limit = stepper_->stable_step(t_end, next_);
@@ -85,10 +87,16 @@ Integrator::Look Integrator::try_step(const Step& step) {
 Outcome Integrator::cannot_shrink(double h, const Look& look) const {
   const std::string at = fmt::format(" at t = {:.6g} s with a step of {:.3g} s", t_, h);
   if (!look.trial.solved) return {Status::failed, look.trial.reason + at};
-  if (const auto violation = look.lawful ? std::nullopt : rhs_->law_violation(next_, law_slack()))
-    return {Status::failed, *violation + at};
+  if (!look.lawful) return {Status::failed, lawless_why_ + at};
   return {Status::unstable,
           fmt::format("errors grow{}: the state at its end allows {:.3g} s", at, look.limit)};
+}
+
+Outcome Integrator::too_short(std::string why) const {
+  constexpr std::uint64_t recent = 100;  // steps
+  const bool by_law = lawless_ > 0 && counted_.steps <= lawless_step_ + recent;
+  if (by_law) why = fmt::format("at t = {:.6g} s {}", t_, lawless_why_);
+  return {Status::failed, std::move(why)};
 }
 
 void Integrator::accept(const Step& step) {
@@ -132,10 +140,10 @@ Outcome Integrator::take_controlled_steps(double target) {
     ends_.assign(1, t_next);
     const Step step{t_, ends_};
     if (!(t_next > t_))
-      return {Status::failed,
-              fmt::format("the step shrank to {:.3g} s at t = {:.6g} s without meeting the tolerance; "
-                          "loosen rtol, or take another method",
-                          h, t_)};
+      return too_short(
+          fmt::format("the step shrank to {:.3g} s at t = {:.6g} s without meeting the tolerance; "
+                      "loosen rtol, or take another method",
+                      h, t_));
     const Look look = try_step(step);
     // An estimate is never better than the roundings of what it is made from.
     constexpr double roundings = 8;

@@ -1,0 +1,65 @@
+/// Solutions that go through the end of a law, or run along it: every method ends, with the reason or with
+/// the answer.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "bench/measure/run_one.hpp"
+#include "case/scene.hpp"
+#include "integrators/registry.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+/// Ten spheres in a row from 300 K; the first is held at `hot`, the conductivity is a table up to `last`.
+/// With a source in the middle the values rise beyond the held one.
+Scene row(const test::TemporaryFolder& folder, double hot, double last, double source) {
+  std::string packing = "id,x,y,z,radius\n";
+  for (int k = 0; k < 10; ++k) packing += fmt::format("{},{},0,0,0.5\n", k, 0.98 * k);
+  folder.write("row.csv", packing);
+  return load_scene(folder.write(
+      "case.toml",
+      fmt::format(
+          "t_end = 100.0\n[packing]\nfile = \"row.csv\"\nlength_unit = \"mm\"\n[material]\ndensity = 2500.0\n"
+          "[contact]\nneck = \"hertz\"\n[thermal]\nspecific_heat = 500.0\ninitial = 300.0\n"
+          "conductivity = {{ law = \"table\", temperatures = [300.0, {}], values = [50.0, 20.0] }}\n"
+          "fixed = [ {{ where = {{ ids = [0] }}, value = {} }} ]\n"
+          "source = [ {{ where = {{ ids = [5] }}, value = {} }} ]\n",
+          last, hot, source)));
+}
+
+class AtTheEndOfALaw : public ::testing::TestWithParam<std::string> {};
+
+std::vector<std::string> names() {
+  std::vector<std::string> out;
+  for (const auto& entry : integrators()) out.push_back(entry.name);
+  return out;
+}
+INSTANTIATE_TEST_SUITE_P(Registry, AtTheEndOfALaw, ::testing::ValuesIn(names()), [](const auto& tested) {
+  std::string name = tested.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(AtTheEndOfALaw, ASolutionThatLeavesItIsAFailureThatNamesIt) {
+  const test::TemporaryFolder folder;
+  const Scene scene = row(folder, 400, 410, 1.0);  // the source alone would heat by thousands of kelvins
+  const RunResult run = run_one(scene, GetParam(), {});
+  if (run.outcome.status == Status::refused) return;  // of methods for constant conductivities
+  EXPECT_EQ(run.outcome.status, Status::failed) << run.outcome.reason;
+  EXPECT_NE(run.outcome.reason.find("410"), std::string::npos) << run.outcome.reason;
+  EXPECT_NE(run.outcome.reason.find("clamp"), std::string::npos) << run.outcome.reason;
+}
+
+TEST_P(AtTheEndOfALaw, ASolutionThatRunsAlongItIsIntegrated) {
+  const test::TemporaryFolder folder;
+  const Scene scene =
+      row(folder, 400, 400, 0.0);  // everything rises to the held value, the last of the table
+  const RunResult run = run_one(scene, GetParam(), {});
+  if (run.outcome.status == Status::refused) return;
+  EXPECT_TRUE(run.outcome.ok()) << run.outcome.reason;
+}
+
+}  // namespace
+}  // namespace superstep
