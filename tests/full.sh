@@ -23,4 +23,6 @@ if command -v clang++ >/dev/null; then
   cmake -S . -B build/clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang -DSUPERSTEP_WERROR=ON
   cmake --build build/clang --parallel "$(nproc)"
 fi
+"$root/tests/toy/test.sh" "$root"
+
 if command -v shellcheck >/dev/null; then shellcheck -x bench/*.sh tests/*.sh tests/*/*.sh .ci/run; fi

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,45 @@ TEST_P(StepHalving, ReachesItsDeclaredOrder) {
   ASSERT_GT(errors.back(),
             1e3 * std::numeric_limits<double>::epsilon());  // below, the slope is rounding noise
   EXPECT_NEAR(std::log2(errors[2] / errors[3]), GetParam().order, 0.15);
+}
+
+/// Every method of the registry with an order and a step to give it: halving the step falls into its order
+/// before roundings hide it, on a network with an offset and sources.
+class DeclaredOrder : public ::testing::TestWithParam<std::string> {};
+
+std::vector<std::string> methods_with_a_step() {
+  std::vector<std::string> names;
+  for (const auto& entry : integrators())
+    for (const auto& key : entry.keys)
+      if (key.name == "step" && entry.order > 0) names.push_back(entry.name);
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(Registry, DeclaredOrder, ::testing::ValuesIn(methods_with_a_step()),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_P(DeclaredOrder, IsReachedWhenTheStepIsHalved) {
+  Graph graph = random_graph({.nodes = 25, .seed = 7, .contrast = 4, .sources = true});
+  for (auto& value : graph.initial) value += 300;
+  for (std::size_t k = 0; k < graph.nodes(); ++k)
+    if (graph.is_fixed[k]) graph.fixed_value[k] += 300;
+  Problem problem(std::move(graph));
+  const auto exact = problem.exact(1.0);
+  constexpr double roundings = 1e-10;  // of values of 300, after some thousand steps
+  const int order = find_integrator(GetParam()).order;
+  double previous = 0, best = std::numeric_limits<double>::infinity();
+  for (int level = 0; level < 14; ++level) {
+    const auto result = run(fmt::format("{}:step={}", GetParam(), 0.25 / (1 << level)), problem, {1.0});
+    if (!result.outcome.ok()) continue;  // too long for an explicit method
+    const double error = rms_difference(result.states.back(), exact);
+    if (error < roundings) break;
+    if (previous > 0) best = std::min(best, std::abs(std::log2(previous / error) - order));
+    previous = error;
+  }
+  EXPECT_LE(best, 0.15) << "of order " << order;
 }
 
 TEST(Tolerance, ErrorOfAdaptiveMethodsFallsWithIt) {
