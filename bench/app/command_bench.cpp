@@ -75,19 +75,25 @@ int repetitions_of(const Arguments& values, int fallback) {
   return static_cast<int>(parse_integer_option("--repetitions", *values.repetitions, 1, 10000));
 }
 
+/// What both kinds of benchmark take from the line.
+template <class Benchmark, class Options>
+void take(const Arguments& values, Benchmark& command, Options& options, int repetitions) {
+  command.common = common_options(values);
+  command.case_files = values.cases;
+  command.out = values.out;
+  command.report = values.report;
+  options.integrators = values.integrators;
+  options.reference = values.reference;
+  options.use_cache = !values.no_cache;
+  options.repetitions = repetitions_of(values, repetitions);
+}
+
 Command make_work_precision(const Arguments& values) {
   if (values.json) throw UsageError("bench: --work-precision writes CSV and a table; leave --json out");
   if (values.reference == "none")
     throw UsageError("bench: --work-precision needs a reference; leave --reference none out");
   WorkPrecisionCommand command;
-  command.common = common_options(values);
-  command.case_files = values.cases;
-  command.out = values.out;
-  command.report = values.report;
-  command.options.integrators = values.integrators;
-  command.options.reference = values.reference;
-  command.options.use_cache = !values.no_cache;
-  command.options.repetitions = repetitions_of(values, 1);
+  take(values, command, command.options, 1);
   return command;
 }
 
@@ -95,14 +101,7 @@ Command from_line(const Arguments& values) {
   if (values.cases.empty()) throw UsageError("bench: a case file is missing; see superstep bench --help");
   if (values.work_precision) return make_work_precision(values);
   BenchCommand command;
-  command.common = common_options(values);
-  command.case_files = values.cases;
-  command.out = values.out;
-  command.report = values.report;
-  command.harness.integrators = values.integrators;
-  if (!values.reference.empty()) command.harness.reference = values.reference;
-  command.harness.use_cache = !values.no_cache;
-  command.harness.repetitions = repetitions_of(values, command.harness.repetitions);
+  take(values, command, command.harness, command.harness.repetitions);
   return command;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "case/checks/warnings.hpp"
+#include "case/content_hash.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "core/text/text_file.hpp"
@@ -29,6 +30,7 @@ LoadedCase load_case(const std::string& file) {
 LoadedCase load_bench_case(const std::string& file) {
   LoadedCase one = load_case(file);
   Scene& scene = one.scene;
+  scene.content_hash = content_hash(TomlTable::parse_file(file));
   if (const std::string finding = implausible_sizes(scene); !finding.empty())
     throw InputError(finding +
                      "; a benchmark of it would not end: mend length_unit, or run one method with `run`");

@@ -25,7 +25,7 @@ namespace {
 // changes.
 constexpr int reference_code_version = 5;
 
-/// Empty for a scene that was made in memory: nothing names what its answer depends on. Networks are added
+/// Empty for a scene without a hash: nothing names what its answer depends on. Networks are added
 /// for the sake of generated packings, which differ between compilers.
 std::string cache_key(const Scene& scene, const std::string& spec) {
   if (scene.content_hash.empty()) return {};

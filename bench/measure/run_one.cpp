@@ -28,21 +28,9 @@ class Timer {
   double wall_begin_ = wall_seconds(), cpu_begin_ = process_cpu_seconds();
 };
 
-/// What the scene says about any run over it.
-Plan plan_of(const Scene& scene, const std::atomic<bool>* stop) {
-  Plan plan;
-  plan.output_times = scene.output_times;
-  for (const auto& field : scene.rhs->fields()) {
-    const auto& described = scene_field(scene, field.name);
-    plan.ranges.push_back({described.low, described.high});
-  }
-  plan.settle_tolerance = scene.settle_tolerance;
-  plan.stop = stop;
-  return plan;
-}
-
 Plan plan_of(const Scene& scene, const RunRequest& request, RunResult& result) {
-  Plan plan = plan_of(scene, request.stop);
+  Plan plan = scene_plan(scene);
+  plan.stop = request.stop;
   plan.spans = result.spans;
   plan.track_inflow = request.track_inflow;
   if (request.progress) plan.reached = request.progress->watched();
@@ -126,8 +114,21 @@ RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest&
   return result;
 }
 
+Plan scene_plan(const Scene& scene) {
+  Plan plan;
+  plan.output_times = scene.output_times;
+  for (const auto& field : scene.rhs->fields()) {
+    const auto& described = scene_field(scene, field.name);
+    plan.ranges.push_back({described.low, described.high});
+  }
+  plan.settle_tolerance = scene.settle_tolerance;
+  return plan;
+}
+
 Spans scene_spans(const Scene& scene, const std::atomic<bool>* stop) {
-  return find_spans(*scene.rhs, plan_of(scene, stop), 0, scene.initial);
+  Plan plan = scene_plan(scene);
+  plan.stop = stop;
+  return find_spans(*scene.rhs, plan, 0, scene.initial);
 }
 
 const FieldScene& scene_field(const Scene& scene, const std::string& name) {

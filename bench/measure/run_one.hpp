@@ -47,6 +47,9 @@ struct RunResult {
 /// it.
 [[nodiscard]] RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest& request);
 
+/// What a scene says about any run over it: output times, ranges of values, settling. Spans are not among it.
+[[nodiscard]] Plan scene_plan(const Scene& scene);
+
 /// Spans of the scene's fields, by a pilot run where declared values do not say them.
 [[nodiscard]] Spans scene_spans(const Scene& scene, const std::atomic<bool>* stop = nullptr);
 

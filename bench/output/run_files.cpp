@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <vector>
 
 #include "bench/host/machine.hpp"
@@ -19,11 +18,6 @@ namespace superstep {
 namespace {
 
 using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void append(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 void append_particle(Buffer& out, const Packing& packing, std::size_t i) {
   const Vec3& centre = packing.centre[i];

@@ -7,7 +7,6 @@
 #include "case/checks/law_ranges.hpp"
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
-#include "case/content_hash.hpp"
 #include "case/materials.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
@@ -152,7 +151,6 @@ Scene load_scene(const std::string& path) {
   else
     coupling = read_particles(root, scene);
   root.finish();
-  scene.content_hash = content_hash(root);
   require_workable_numbers(scene);
   require_laws_to_hold(scene);
   build_rhs(path, coupling, scene);

@@ -73,7 +73,7 @@ struct BenchSettings {
 struct Scene {
   std::string file, name;  ///< path of the case; its stem
   std::string title, source;
-  std::string content_hash;          ///< of the case and its data files; empty = not read from a file
+  std::string content_hash;          ///< of the case and its data files; empty = nobody asked
   double t_end = 0;                  ///< s
   std::vector<double> output_times;  ///< s, ascending; the last is t_end
   bool own_output_times = false;     ///< the case states them; else there is t_end alone

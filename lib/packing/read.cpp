@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
 #include "core/error.hpp"
 #include "core/text/number.hpp"
 #include "core/text/text_file.hpp"
@@ -65,10 +67,12 @@ Packing read_packing(const std::string& path, double unit) {
 
 std::string stated_length_unit(const std::string& path) {
   constexpr std::string_view key = "length_unit";
-  const std::string text = read_text_file(path);
-  LineReader lines(text);
-  while (lines.next()) {
-    std::string_view line = trimmed(lines.line());
+  std::ifstream stream(
+      path);  // the comments at the top alone: whoever reads the rest says what is wrong with it
+  std::size_t number = 0;
+  for (std::string text; std::getline(stream, text);) {
+    ++number;
+    std::string_view line = trimmed(text);
     if (line.empty()) continue;
     if (line.front() != '#') break;
     line = trimmed(line.substr(1));
@@ -78,7 +82,7 @@ std::string stated_length_unit(const std::string& path) {
     line = trimmed(line.substr(1));
     if (line.size() >= 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
     const std::string name(line);
-    (void)length_unit(name, fmt::format("{}:{}", path, lines.number()));
+    (void)length_unit(name, fmt::format("{}:{}", path, number));
     return name;
   }
   return {};

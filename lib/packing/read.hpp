@@ -19,7 +19,8 @@ namespace superstep {
 [[nodiscard]] double length_unit(const std::string& name, const std::string& where);
 
 /// Name of the unit of length that a packing file states in its comments, as in `# length_unit = "um"`; empty
-/// when it states none. Throws InputError for a file that cannot be read.
+/// when it states none. Throws InputError for a unit that does not exist; whether the
+/// file can be read is for whoever reads the rest.
 [[nodiscard]] std::string stated_length_unit(const std::string& path);
 
 /// CSV text `id,x,y,z,radius[,material]` in metres, which its first line states, with enough digits to read

@@ -8,16 +8,6 @@
 namespace superstep {
 namespace {
 
-const BenchRow* fastest_within(const BenchCase& one, double level) {
-  const BenchRow* best = nullptr;
-  for (const auto& row : one.rows) {
-    const auto error = relative_error(row);
-    if (!row.ok() || !error || *error > level || !prepared_cpu(row)) continue;
-    if (!best || *prepared_cpu(row) < *prepared_cpu(*best)) best = &row;
-  }
-  return best;
-}
-
 bool within(const BenchRow& row, double level) {
   const auto error = relative_error(row);
   return row.ok() && error && *error <= level;
@@ -58,6 +48,14 @@ Number relative_error(const BenchRow& row) {
   if (error && row.potential && row.potential->relative_rms)
     error = std::max(*error, *row.potential->relative_rms);
   return error;
+}
+
+const BenchRow* fastest_within(const BenchCase& one, double level) {
+  const BenchRow* best = nullptr;
+  for (const auto& row : one.rows)
+    if (within(row, level) && prepared_cpu(row) && (!best || *prepared_cpu(row) < *prepared_cpu(*best)))
+      best = &row;
+  return best;
 }
 
 std::string answer_text(const BenchCase& one) {

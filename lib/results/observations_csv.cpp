@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
 #include "results/text/csv_table.hpp"
 #include "results/text/csv_text.hpp"
@@ -13,11 +12,6 @@ namespace superstep {
 namespace {
 
 using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void append(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 void append_curve(Buffer& out, const std::string& case_name, const ProbeCurve& curve) {
   const std::string head = fmt::format("{},{},{},{},{}", csv_cell(case_name), csv_cell(curve.spec),

@@ -8,7 +8,6 @@
 #include "audit/special_audits.hpp"
 #include "audit/verdict.hpp"
 #include "bench/measure/run_one.hpp"
-#include "integrators/spans.hpp"
 
 namespace superstep::audit {
 namespace {
@@ -18,23 +17,12 @@ struct SpanTally {
   std::vector<double> deviations;  ///< |found / true - 1| of fields that move
 };
 
-Spans found_by_library(const Scene& scene) {
-  Plan plan;
-  plan.output_times = scene.output_times;
-  for (const auto& field : scene.rhs->fields()) {
-    const auto& described = scene_field(scene, field.name);
-    plan.ranges.push_back({described.low, described.high});
-  }
-  plan.settle_tolerance = scene.settle_tolerance;
-  return find_spans(*scene.rhs, plan, 0, scene.initial);
-}
-
 }  // namespace
 
 std::vector<SpanPair> compare_spans(const StatedScene& stated) {
   const Truth truth = find_truth(stated);
   const Scene scene = build_scene(stated);
-  const Spans found = found_by_library(scene);
+  const Spans found = scene_spans(scene, nullptr);
   std::vector<SpanPair> pairs;
   for (std::size_t f = 0; f < truth.fields.size(); ++f)
     if (const auto view = scene.fields[f].view; view >= 0)

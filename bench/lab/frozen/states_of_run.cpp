@@ -10,19 +10,12 @@ namespace {
 
 constexpr double parts[] = {0.1, 0.5, 1};  // of t_end, after the start
 
-Plan plan_of(const Scene& scene, const std::vector<double>& spans) {
-  Plan plan;
-  for (const double part : parts) plan.output_times.push_back(part * scene.t_end);
-  for (const auto& field : scene.rhs->fields()) {
-    const auto& described = scene_field(scene, field.name);
-    plan.ranges.push_back({described.low, described.high});
-  }
-  plan.spans = spans;
-  return plan;
-}
-
 void add_later_states(const Scene& scene, StatesOfRun& out) {
-  const Plan plan = plan_of(scene, out.spans);
+  Plan plan = scene_plan(scene);
+  plan.output_times.clear();
+  for (const double part : parts) plan.output_times.push_back(part * scene.t_end);
+  plan.spans = out.spans;
+  plan.settle_tolerance = 0;  // states of every field
   const auto method = make_integrator(method_of_states);
   const auto missing = [&](double part, const std::string& reason) {
     out.notes.push_back(fmt::format("no states from {:g} % of t_end on: {} did not get there: {}", 100 * part,

@@ -42,8 +42,6 @@ LevelWinner winner_at(const WorkPrecision& study, double level) {
       study, [&](const auto& point) { return reaches(point) && point.family != out.winner->family; });
   if (out.runner_up) out.lead = out.runner_up->cpu->median / cpu;
   const auto* euler = cheapest(study, [&](const auto& point) { return is_euler(point) && reaches(point); });
-  out.euler_misses = euler == nullptr;
-  if (!euler) euler = cheapest(study, [](const auto& point) { return is_euler(point); });
   if (euler) out.over_euler = euler->cpu->median / cpu;
   return out;
 }
@@ -85,14 +83,13 @@ std::string winners_table(const WorkPrecision& study, bool color) {
           {{fmt::format("{:.0e}", level.level)}, {"nobody reaches it", Style::dim}, {""}, {""}, {""}, {""}});
       continue;
     }
-    table.add_row({{fmt::format("{:.0e}", level.level)},
-                   {level.winner->spec, Style::bold},
-                   {seconds(level.winner->cpu)},
-                   {level.runner_up ? level.runner_up->spec : "nobody"},
-                   {level.lead ? fmt::format("{:.2f}x", *level.lead) : ""},
-                   {level.euler_misses ? "Euler does not reach it"
-                    : level.over_euler ? fmt::format("{:.3g}x", *level.over_euler)
-                                       : ""}});
+    table.add_row(
+        {{fmt::format("{:.0e}", level.level)},
+         {level.winner->spec, Style::bold},
+         {seconds(level.winner->cpu)},
+         {level.runner_up ? level.runner_up->spec : "nobody"},
+         {level.lead ? fmt::format("{:.2f}x", *level.lead) : ""},
+         {level.over_euler ? fmt::format("{:.3g}x", *level.over_euler) : "Euler does not reach it"}});
   }
   return table.text(color);
 }

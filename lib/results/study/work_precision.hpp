@@ -41,9 +41,8 @@ struct LevelWinner {
   const WorkPrecisionPoint* winner = nullptr;     ///< null when nobody reaches it
   const WorkPrecisionPoint* runner_up = nullptr;  ///< fastest of another family; may be null
   Number lead;                                    ///< CPU of the runner-up over that of the winner
-  Number over_euler;  ///< CPU of the cheapest forward Euler run that reaches the level, over the winner's
-  bool euler_misses =
-      false;  ///< none does; `over_euler` then speaks of the cheapest stable one and is a lower bound
+  /// CPU of the cheapest forward Euler run that reaches the level, over the winner's; empty where none does.
+  Number over_euler;
 };
 
 /// Winners at 1e-1, 1e-2, ..., 1e-10 of the span; levels below the reference's error bar are left out.

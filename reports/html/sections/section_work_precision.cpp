@@ -87,8 +87,7 @@ std::string winners_html(const WorkPrecision& study) {
          number_cell(Number(level.winner->cpu->median)),
          {.text = level.runner_up ? level.runner_up->spec : "nobody"},
          {.text = level.lead ? number_text(*level.lead) + "×" : ""},
-         {.text = level.over_euler ? (level.euler_misses ? "> " : "") + number_text(*level.over_euler) + "×"
-                                   : ""}});
+         {.text = level.over_euler ? number_text(*level.over_euler) + "×" : "Euler does not reach it"}});
   }
   return table.empty() ? "" : table.html();
 }

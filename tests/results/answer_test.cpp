@@ -1,0 +1,92 @@
+#include "results/answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "results/results_table.hpp"
+
+namespace superstep {
+namespace {
+
+BenchRow row(const std::string& spec, double cpu, double error, double prepare = 0) {
+  BenchRow out;
+  out.spec = spec;
+  const auto colon = spec.find(':');
+  out.integrator = spec.substr(0, colon);
+  out.params = colon == std::string::npos ? "" : spec.substr(colon + 1);
+  out.status = "ok";
+  out.repetitions = 3;
+  out.cpu_stepping = Timing{.median = cpu, .min = 0.95 * cpu, .max = 1.05 * cpu};
+  out.cpu_prepare = prepare;
+  out.errors.relative_rms = error;
+  return out;
+}
+
+BenchCase bench(std::vector<BenchRow> rows) {
+  BenchCase out;
+  out.name = "rod";
+  out.unit = "K";
+  out.baseline = "forward-euler";
+  out.rows = std::move(rows);
+  return out;
+}
+
+TEST(Answer, NamesTheFastestThatIsAccurateEnoughAndItsLead) {
+  const auto one = bench({row("forward-euler", 8, 1e-4), row("sts:n=5", 0.5, 2e-2),
+                          row("rkc:rtol=1e-4", 2, 5e-4), row("cvode:linsol=klu,rtol=1e-4", 4, 1e-5)});
+  EXPECT_EQ(answer_text(one),
+            "For an error below 0.001 of the span: rkc:rtol=1e-4 (2 s of CPU), 4 times faster than "
+            "forward-euler and "
+            "2 times faster than cvode:linsol=klu,rtol=1e-4.");
+}
+
+TEST(Answer, CountsPreparation) {
+  const auto one =
+      bench({row("forward-euler", 8, 1e-4), row("exponential", 1, 1e-5, 5), row("rkc", 2, 5e-4)});
+  EXPECT_EQ(fastest_within(one, 1e-3)->spec, "rkc");
+}
+
+TEST(Answer, TakesALooserErrorWhereNothingIsBetterAndSaysNothingWithoutErrors) {
+  EXPECT_EQ(answer_text(bench({row("forward-euler", 8, 0.05), row("sts", 1, 0.5)})),
+            "For an error below 0.1 of the span: forward-euler (8 s of CPU).");
+  EXPECT_EQ(answer_text(bench({row("forward-euler", 8, 0.5)})), "");
+  auto unmeasured = row("forward-euler", 8, 0);
+  unmeasured.errors.relative_rms.reset();
+  EXPECT_EQ(answer_text(bench({unmeasured})), "");
+}
+
+TEST(Answer, AFailedRunNeverWinsAndTheWorseFieldCounts) {
+  auto failed = row("sts", 0.1, 1e-6);
+  failed.status = "inaccurate";
+  auto coupled = row("exponential", 0.2, 1e-6);
+  coupled.potential = FieldErrors{};
+  coupled.potential->relative_rms = 0.5;
+  EXPECT_EQ(fastest_within(bench({failed, coupled, row("rkc", 2, 1e-4)}), 1e-3)->spec, "rkc");
+}
+
+TEST(Answer, SaysWhichCannotBeToldApart) {
+  const auto text =
+      answer_text(bench({row("exponential", 1, 1e-5), row("auto", 1.05, 1e-5), row("rkc", 2, 1e-4)}));
+  EXPECT_NE(text.find("; auto cannot be told apart from it in this run."), std::string::npos) << text;
+}
+
+TEST(ResultsTable, IsSortedByCpuWithPreparationAndEndsInTheAnswer) {
+  const auto one =
+      bench({row("forward-euler", 8, 1e-4), row("exponential", 1, 1e-5, 5), row("rkc", 2, 5e-4)});
+  const std::string text = results_table(one, 3, 1, false);
+  const auto rkc = text.find("\nrkc "), exponential = text.find("\nexponential "),
+             euler = text.find("\nforward-euler ");
+  ASSERT_NE(rkc, std::string::npos) << text;
+  EXPECT_LT(rkc, exponential);
+  EXPECT_LT(exponential, euler);
+  EXPECT_TRUE(text.ends_with(answer_text(one) + "\n"));
+}
+
+TEST(ResultsTable, OneRepetitionHasNoSpread) {
+  auto once = row("rkc", 2, 5e-4);
+  once.repetitions = 1;
+  once.cpu_stepping = Timing{.median = 2, .min = 2, .max = 2};
+  EXPECT_EQ(results_table(bench({once}), 1, 1, false).find('%'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace superstep
