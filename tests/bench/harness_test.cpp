@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "bench/app/loaded_case.hpp"
 #include "core/error.hpp"
 #include "integrators/spec_settings.hpp"
 #include "temporary_case.hpp"
@@ -40,7 +41,7 @@ class RodBench : public testing::Test {
   }
 
   CaseFolder folder_;
-  Scene scene_ = load_scene(write_rod(folder_, Rod{}));
+  Scene scene_ = load_bench_case(write_rod(folder_, Rod{})).scene;
   HarnessOptions options_;
   Progress silent_{false};
 };

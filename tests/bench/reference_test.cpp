@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "bench/app/loaded_case.hpp"
 #include "bench/harness/reference_cache.hpp"
-#include "case/content_hash.hpp"
 #include "integrators/registry.hpp"
 #include "temporary_case.hpp"
 
@@ -15,13 +15,6 @@ namespace {
 
 using test::CaseFolder;
 using test::Rod;
-
-/// A scene that may be cached, as a benchmark loads it.
-Scene named_scene(const std::string& file) {
-  Scene scene = load_scene(file);
-  scene.content_hash = content_hash(TomlTable::parse_file(file));
-  return scene;
-}
 
 class CachedReferenceTest : public testing::Test {
  protected:
@@ -43,7 +36,7 @@ class CachedReferenceTest : public testing::Test {
   }
 
   CaseFolder folder_;
-  Scene scene_ = named_scene(write_rod(folder_, Rod{}));
+  Scene scene_ = load_bench_case(write_rod(folder_, Rod{})).scene;
   ProbeSet probes_{scene_};
   Progress silent_{false};
 };
@@ -68,7 +61,7 @@ TEST_F(CachedReferenceTest, TheSecondTimeCostsNoIntegration) {
 
 TEST_F(CachedReferenceTest, AnyNumberThatTheAnswerDependsOnMissesAndATitleHits) {
   const auto from_cache = [&](const Rod& rod) {
-    const Scene scene = named_scene(write_rod(folder_, rod));
+    const Scene scene = load_bench_case(write_rod(folder_, rod)).scene;
     const ProbeSet probes(scene);
     return obtain_reference(scene, probes, {.spec = "cvode:rtol=1e-8"}, silent_).reference->from_cache;
   };
@@ -146,7 +139,7 @@ TEST_F(CachedReferenceTest, TheExponentialGivesALinearSceneItsErrorBar) {
 TEST(ReferenceOfALaw, IsNotKnownBetterThanTheToleranceItWasComputedWith) {
   const Scene scene = load_scene(std::string(SUPERSTEP_SOURCE_DIR) + "/tests/trouble/hot_surroundings.toml");
   Progress silent(false);
-  const auto result = obtain_reference(scene, ProbeSet(scene), {.use_cache = false}, silent);
+  const auto result = obtain_reference(scene, ProbeSet(scene), {.spec = "", .use_cache = false}, silent);
   ASSERT_TRUE(result.reference) << result.outcome.reason;
   ASSERT_NE(result.reference->spec.substr(0, 11), "exponential");
   const double own = make_method(result.reference->spec)->rtol() * result.reference->spans[0];

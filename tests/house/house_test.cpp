@@ -101,12 +101,15 @@ TEST(TheHouse, DetailStaysInTheFolderOfTheIntegrators) {
         EXPECT_FALSE(included.starts_with("integrators/detail/")) << file << " includes " << included;
 }
 
-TEST(TheHouse, OnlyThreeFilesKnowSundials) {
-  std::vector<std::string> knowing;
-  for (const auto& file : files({".hpp", ".cpp"}))
-    if (room_of(file) < rooms.size() && content_of(root / file).find("<cvode") != std::string::npos)
-      knowing.push_back(file);
-  for (const auto& file : knowing) EXPECT_TRUE(file.starts_with("integrators/")) << file;
+TEST(TheHouse, SundialsStaysInTheFolderOfTheIntegrators) {
+  std::size_t knowing = 0;
+  for (const auto& file : files({".hpp", ".cpp"})) {
+    if (room_of(file) == rooms.size() || content_of(root / file).find("#include <cvode") == std::string::npos)
+      continue;
+    EXPECT_TRUE(file.starts_with("integrators/")) << file;
+    ++knowing;
+  }
+  EXPECT_GT(knowing, 0U);
 }
 
 TEST(TheHouse, NoSourceFileIsLongerThan350Lines) {
