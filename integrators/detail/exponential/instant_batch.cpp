@@ -31,14 +31,11 @@ void InstantBatch::prepare(Rhs& rhs, const Task& task) {
   }
   if (!capacity.empty())
     rms_over_weighted_ = std::sqrt(total / (static_cast<double>(capacity.size()) * smallest));
-  // Truncation is bounded in the capacity-weighted norm. Where inputs drive small capacities its error may
-  // lie in them alone; transients from a state spread it.
-  const auto& facts = rhs.facts().fields.front();
-  const bool driven = facts.has_sources || !facts.ambient.empty() || !rhs.traits().autonomous;
-  const double norm = driven ? rms_over_weighted_ : std::sqrt(rms_over_weighted_);
-  tolerance_ =
-      part_ * (span_ > 0 ? task.allowed.front() / span_ : rtol_) / (norm * static_cast<double>(passes));
-  magnitude_ = span_ > 0 ? 1 + plan_->ranges.back().magnitude() / span_ : 1;
+  // Truncation is bounded in the capacity-weighted norm, and its error may lie in the smallest capacities
+  // alone. Roundings are no reason to truncate earlier: that would save a term or two.
+  const double allowed = span_ > 0 ? std::min(task.allowed.front() / span_, rtol_) : rtol_;
+  tolerance_ = part_ * allowed / (rms_over_weighted_ * static_cast<double>(passes));
+  magnitude_ = span_ > 0 ? plan_->ranges.back().magnitude() / span_ : 0;
   states_.assign(std::min(states, most_states), StateVector(rhs.size()));
   allocate();
 }
@@ -110,10 +107,8 @@ void InstantBatch::add_counts(Statistics& statistics) const {
   statistics.steps += passes_;
   statistics.max_stages = std::max(statistics.max_stages, most_terms_);
   statistics.inflow += inflow_;
-  // Truncation, bounded in the capacity-weighted norm; each term of the recurrence rounds once or twice.
-  constexpr double roundings_of_a_term = 4 * std::numeric_limits<double>::epsilon();
-  statistics.error_bound += static_cast<double>(passes_) * tolerance_ * rms_over_weighted_ +
-                            static_cast<double>(terms_) * roundings_of_a_term * magnitude_;
+  // Truncation, bounded in the capacity-weighted norm, and roundings.
+  statistics.error_bound += static_cast<double>(passes_) * tolerance_ * rms_over_weighted_ + rounding_;
 }
 
 }  // namespace superstep

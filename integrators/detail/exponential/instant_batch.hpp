@@ -23,7 +23,7 @@ class InstantBatch : public Propagator {
   [[nodiscard]] double time() const noexcept final { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept final { return current_; }
   void record(ProbeHistory& history) final;
-  void reset_counts() final { passes_ = terms_ = 0, most_terms_ = 0, inflow_ = 0; }
+  void reset_counts() final { passes_ = 0, most_terms_ = 0, inflow_ = rounding_ = 0; }
   void add_counts(Statistics& statistics) const final;
 
  protected:
@@ -46,10 +46,13 @@ class InstantBatch : public Propagator {
   [[nodiscard]] bool stop_requested() const noexcept { return plan_->stop && plan_->stop->load(); }
   /// Results of a network in which nothing exchanges anything: values grow by their sources.
   [[nodiscard]] Outcome no_exchange(std::span<Output> outputs);
+  /// Largest value of the field in spans.
+  [[nodiscard]] double magnitude() const noexcept { return magnitude_; }
   void count_terms(std::size_t terms) noexcept {
     most_terms_ = std::max(most_terms_, static_cast<int>(terms));
-    terms_ += terms;
   }
+  /// Adds what roundings of a batch may amount to, in spans.
+  void count_rounding(double rounding) noexcept { rounding_ += rounding; }
 
  private:
   /// Allocates, or refuses the scene.
@@ -69,7 +72,8 @@ class InstantBatch : public Propagator {
   std::size_t batch_begin_ = 0, batch_size_ = 0, recorded_ = 0, reached_ = 0;
   double t_ = 0, t_batch_ = 0, radius_ = 0, span_ = 0, tolerance_ = 0, inflow_before_ = 0, inflow_ = 0;
   double rms_over_weighted_ = 1, magnitude_ = 0;  ///< bound of one norm by the other [-]; of values, in spans
-  std::uint64_t passes_ = 0, terms_ = 0;
+  double rounding_ = 0;                           ///< in spans
+  std::uint64_t passes_ = 0;
   int most_terms_ = 0;
 };
 

@@ -163,6 +163,8 @@ Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
     if (j + 1 < m) next_vector(j);
   }
   count_terms(2 * m);
+  constexpr double roundings_of_a_term = 4 * std::numeric_limits<double>::epsilon();
+  count_rounding(2 * static_cast<double>(m) * roundings_of_a_term * (1 + magnitude()));
   return {};
 }
 
