@@ -27,6 +27,8 @@ class OnPieces {
 
 /// What a settled potential leaves behind stays well below the tolerance of the method.
 constexpr double settling_part_of_tolerance = 0.1;
+/// So does what f is wrong by where a part of it is found approximately.
+constexpr double rhs_part_of_tolerance = 0.01;
 
 }  // namespace
 
@@ -43,6 +45,7 @@ void Integrator::prepare(Rhs& rhs, const Plan& plan) {
                                ? std::max(plan.settle_tolerance, settling_part_of_tolerance * method_->rtol())
                                : 0;
   settling_.prepare(rhs, tolerance, plan_.spans.front());
+  rhs.ask_accuracy(rhs_part_of_tolerance * method_->rtol());
   prepare_method(rhs);
 }
 

@@ -29,30 +29,30 @@ bool range_is_attained(const FieldFacts& facts, const FieldRange& range) {
   return facts.ambient.empty() || (facts.ambient.low >= range.low && facts.ambient.high <= range.high);
 }
 
-/// Some pieces of the inputs: all where they are few, else the ones with the strongest beginnings.
+/// Some pieces of the inputs: all where they are few, else the first and those with the strongest beginnings.
 std::vector<std::pair<double, double>> some_pieces(const Rhs& rhs, double begin, double end) {
   constexpr std::size_t most = 64;
-  std::vector<double> bounds = {begin};
-  std::vector<std::pair<double, std::size_t>> strength;
+  struct Piece {
+    double begin = 0, end = 0, jump = 0, kink = 0;  ///< s; what its beginning changes, see Breakpoint
+    [[nodiscard]] double strength() const { return jump + kink * (end - begin); }
+  };
+  std::vector<Piece> pieces{{.begin = begin}};
   for (const auto& point : rhs.facts().breakpoints) {
     if (!(point.t > begin && point.t < end)) continue;
-    const double jump = *std::max_element(point.jump.begin(), point.jump.end());
-    const double kink = *std::max_element(point.kink.begin(), point.kink.end());
-    strength.emplace_back(-(jump + kink * (point.t - bounds.back())), bounds.size() - 1);
-    bounds.push_back(point.t);
+    pieces.back().end = point.t;
+    pieces.push_back({.begin = point.t,
+                      .jump = *std::max_element(point.jump.begin(), point.jump.end()),
+                      .kink = *std::max_element(point.kink.begin(), point.kink.end())});
   }
-  bounds.push_back(end);
-  std::vector<std::pair<double, double>> pieces;
-  if (bounds.size() <= most) {
-    for (std::size_t k = 0; k + 1 < bounds.size(); ++k) pieces.emplace_back(bounds[k], bounds[k + 1]);
-    return pieces;
+  pieces.back().end = end;
+  if (pieces.size() > most) {
+    std::stable_sort(pieces.begin() + 1, pieces.end(),
+                     [](const Piece& a, const Piece& b) { return a.strength() > b.strength(); });
+    pieces.resize(most);
   }
-  std::sort(strength.begin(), strength.end());
-  for (std::size_t k = 0; k < most; ++k) {
-    const std::size_t piece = strength[k].second;
-    pieces.emplace_back(bounds[piece], bounds[piece + 1]);
-  }
-  return pieces;
+  std::vector<std::pair<double, double>> bounds;
+  for (const auto& piece : pieces) bounds.emplace_back(piece.begin, piece.end);
+  return bounds;
 }
 
 /// What the rates of the initial state would do if they went on: a first guess, if a rough one.
@@ -81,6 +81,20 @@ std::string pilot_method(Rhs& rhs, const Plan& plan, double t, std::span<const d
   constexpr double little = 1e6;  // t rho: some thousand sweeps
   const double t_rho = (plan.output_times.back() - t) * rhs.spectral_bound(t, y);
   return t_rho < little ? "rkc:rtol=1e-2" : "cvode:rtol=1e-2";
+}
+
+/// For another try after a run that failed: a hundredth of each span, though not less than what was seen on
+/// the way. False when that changes nothing.
+bool make_finer(std::vector<double>& spans, const std::vector<FieldRange>& seen) {
+  constexpr double part = 0.01;
+  bool changed = false;
+  for (std::size_t f = 0; f < spans.size(); ++f) {
+    const double on_the_way = std::isfinite(seen[f].span()) ? std::min(seen[f].span(), spans[f]) : 0;
+    const double next = std::max(part * spans[f], on_the_way);
+    changed = changed || next < (1 - enough) * spans[f];
+    spans[f] = next;
+  }
+  return changed;
 }
 
 }  // namespace
@@ -128,7 +142,7 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
     for (std::size_t f = 0; f < spans.size(); ++f) {
       const double seen = found[f].span();
       if (!std::isfinite(seen)) {
-        outcome.status = Status::failed;
+        outcome = {Status::failed, "values grew beyond all bounds"};
         continue;
       }
       // A run that was too coarse to see anything move says how fine the next one has to be.
@@ -136,7 +150,10 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
       change = std::max(change, spans[f] > 0 ? std::abs(next / spans[f] - 1) : 0.0);
       if (outcome.ok()) spans[f] = next;
     }
-    if (!outcome.ok()) {
+    if (outcome.status == Status::interrupted) break;
+    if (!outcome.ok()) {  // too coarse, perhaps: errors beyond a law, growth that is none
+      const bool last = run == most_runs || !make_finer(spans, found);
+      if (!last) continue;
       out.how += fmt::format("; it ended early: {}", outcome.reason);
       break;
     }

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/text/toml.hpp"
 #include "integrators/registry.hpp"
+#include "results/text/json_object.hpp"
 #include "results/text/text_table.hpp"
 
 namespace superstep {
@@ -95,7 +96,7 @@ std::string list_json(const std::vector<FoundCase>& cases) {
                                 {"source", law.source},
                                 {"parameters", law.parameters}});
   for (const auto& one : cases) out["cases"].push_back({{"file", one.file}, {"title", one.title}});
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(out);
 }
 
 Command from_line(const Arguments& values) {

@@ -16,6 +16,7 @@
 #include "core/text/suggest.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/read.hpp"
+#include "results/text/json_object.hpp"
 
 namespace superstep {
 namespace {
@@ -38,7 +39,7 @@ std::string report_json(const Packing& packing, const PackReport& report) {
                                       {"relative_density", report.relative_density},
                                       {"largest_overlap", report.largest_overlap},
                                       {"relaxation_steps", report.relaxation_steps}};
-  return out.dump(2) + "\n";
+  return json_text(out);
 }
 
 Container container_of(const Arguments& values, double unit) {

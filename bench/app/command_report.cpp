@@ -10,7 +10,8 @@
 #include "bench/app/report_file.hpp"
 #include "core/error.hpp"
 #include "reports/text/markdown_summary.hpp"
-#include "results/read_results.hpp"
+#include "results/results_json.hpp"
+#include "results/text/json_object.hpp"
 
 namespace superstep {
 namespace {
@@ -24,7 +25,7 @@ std::string summary(const ReportCommand& command) {
 
 std::string json_text(const std::string& file) {
   const nlohmann::ordered_json json = {{"schema", "superstep.report"}, {"schema_version", 1}, {"file", file}};
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 Command from_line(const Arguments& values) {

@@ -8,6 +8,7 @@
 #include "core/atomic_file.hpp"
 #include "reports/text/health_report.hpp"
 #include "results/observations_csv.hpp"
+#include "results/text/json_object.hpp"
 
 namespace superstep {
 namespace {
@@ -19,7 +20,7 @@ std::string all_health(std::span<const BenchCase> cases, std::span<const LoadedC
     const Scene& scene = loaded[k].scene;
     out["cases"].push_back(Json::parse(health_json(scene, assess_network(scene))));
   }
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(out);
 }
 
 template <class Seen>

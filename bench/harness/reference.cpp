@@ -175,8 +175,8 @@ class ReferenceSearch {
             fmt::format("{} and {} differ by {:.2g} {} in the {}, more than they should: that is "
                         "how well the reference is known",
                         pair_.truth, pair_.check, distance, fields[f].unit, fields[f].name));
-      // Nor is a solution better known than the tolerance that it was computed with.
-      const double own = pair_.certified ? 0 : make_method(pair_.truth)->rtol() * reference_.spans[f];
+      // Nor is a solution better known than twice the tolerance that it was computed with.
+      const double own = pair_.certified ? 0 : 2 * make_method(pair_.truth)->rtol() * reference_.spans[f];
       reference_.error_bar.push_back(std::max(reserve * distance, own) + truth.bound[f]);
     }
   }

@@ -42,6 +42,11 @@ struct RunResult {
   ProbeHistory history;  ///< begins with the initial state; empty unless probes were asked for
 };
 
+/// The method's own bound of its error over the span; nothing where it has none.
+[[nodiscard]] inline std::optional<double> error_bound_of(const RunResult& run) {
+  return run.statistics.error_bound > 0 ? std::optional(run.statistics.error_bound) : std::nullopt;
+}
+
 /// Builds the method anew and runs it. What the method cannot do or fails to do is an outcome; only a wrong
 /// SPEC throws. Stepping begins with `start`: estimates of the spectrum and the first step size are part of
 /// it.

@@ -119,7 +119,7 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .potential_solves = run.potential_solves,
           .verified_by = {},
           .delivered = std::nullopt,
-          .error_bound = run.statistics.error_bound,
+          .error_bound = error_bound_of(run),
           .spans = run.spans,
           .cpu_pilot = run.cpu_pilot,
           .settled_at = run.settled_at,

@@ -58,7 +58,10 @@ struct BenchRow {
   Number speedup_total, speedup_stepping, speedup_theory;  ///< against the baseline of the case
   Number cpu_prepare;       ///< s, before the first step: spectrum, factorization, choice; median
   Number speedup_prepared;  ///< preparation and stepping together, against the baseline
-  Number cpu_pilot;  ///< s, of the run that found the spans for all methods; empty where none was needed
+  Number cpu_pilot;    ///< s, of the run that found the spans for all methods; empty where none was needed
+  Number error_bound;  ///< rigorous bound of the error over the span [-]; empty = the method has none
+  Number cpu_verify;   ///< s, of runs by which a method checked itself; empty = it did not
+  int processes = 1;   ///< that took part
   std::optional<std::uint64_t> steps, rejected, rhs, jacobians, factorizations, solves, max_stages;
   Number peak_memory_mb;                 ///< 1e6 bytes, of the process during the method's warm-up run
   FieldErrors errors;                    ///< of the temperature, or of the only field
@@ -119,6 +122,32 @@ struct SteadyCurrent {
   double joule_heat = 0;                   ///< W
 };
 
+/// What a run of moving particles has besides.
+struct MotionRecord {
+  struct Snapshot {
+    std::string file;                 ///< in the folder of the run
+    double time = 0, upper_wall = 0;  ///< s; height of the wall [m]
+  };
+  /// The last step of a phase, see history.csv.
+  struct PhaseEnd {
+    std::string phase;
+    double time = 0;                                   ///< s
+    double volume_fraction = 0;                        ///< -
+    double mean_temperature = 0, max_temperature = 0;  ///< K
+    double wall_force = 0;                             ///< N
+    std::size_t bonds = 0, contacts = 0;
+  };
+  /// CPU time [s].
+  struct Parts {
+    double contacts = 0, forces = 0, heat = 0, current = 0, rest = 0;
+  };
+  std::vector<double> box_min, box_max;  ///< [3] m, corners at the start
+  std::vector<Snapshot> snapshots;
+  std::vector<PhaseEnd> phase_ends;
+  std::uint64_t iterations = 0, neighbour_lists = 0;
+  Parts cpu_parts;
+};
+
 /// Everything about one run of `superstep run` that its CSV files do not hold.
 struct RunRecord {
   std::string version, revision;
@@ -130,7 +159,7 @@ struct RunRecord {
   std::uint64_t potential_solves = 0;    ///< steady potentials solved for while integrating
   std::string verified_by;               ///< SPEC that `--verify` ran as well; empty = it did not
   std::optional<double> delivered;       ///< error over the tolerance asked for, as far as verified [-]
-  double error_bound = 0;                ///< the method's own, over the span [-]; 0 = it has none
+  Number error_bound;                    ///< the method's own, over the span [-]; empty = it has none
   std::vector<double> spans;             ///< [fields] K or V; empty = no tolerance asked for them
   double cpu_pilot = 0, cpu_verify = 0;  ///< s
   std::optional<double> settled_at;      ///< s, when the potential became steady and was no longer stepped
@@ -141,6 +170,7 @@ struct RunRecord {
   std::vector<std::string> files, warnings;
   std::vector<SkippedWork> skips;
   std::vector<Fact> machine, libraries;
+  std::optional<MotionRecord> motion;  ///< of moving particles
 };
 
 }  // namespace superstep

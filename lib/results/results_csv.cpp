@@ -3,21 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "results/columns.hpp"
-#include "results/text/csv_text.hpp"
+#include "results/schema/bench_fields.hpp"
 
 namespace superstep {
 namespace {
 
-struct CellText {
-  std::string operator()(std::monostate) const { return {}; }
-  std::string operator()(const std::string& text) const { return csv_cell(text); }
-  std::string operator()(std::uint64_t value) const { return fmt::format("{}", value); }
-  std::string operator()(double value) const { return csv_cell(value); }
-};
-
 template <class Text>
-std::string line_of(const std::vector<Column>& columns, Text text) {
+std::string line_of(const RecordFields<BenchRow>& columns, Text text) {
   std::vector<std::string> cells;
   cells.reserve(columns.size());
   for (const auto& column : columns) cells.push_back(text(column));
@@ -27,11 +19,12 @@ std::string line_of(const std::vector<Column>& columns, Text text) {
 }  // namespace
 
 std::string results_csv(std::span<const BenchCase> cases) {
-  const auto columns = bench_columns(cases);
+  using Column = RecordField<BenchRow>;
+  const auto columns = bench_columns(any_potential(cases));
   std::string out = line_of(columns, [](const Column& column) { return column.name; });
   for (const auto& one : cases)
     for (const auto& row : one.rows)
-      out += line_of(columns, [&](const Column& column) { return std::visit(CellText{}, column.cell(row)); });
+      out += line_of(columns, [&](const Column& column) { return csv_cell_of_json(column.write(row)); });
   return out;
 }
 

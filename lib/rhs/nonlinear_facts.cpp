@@ -9,11 +9,20 @@
 namespace superstep {
 namespace {
 
-/// Of all tables together at knot t: sum of magnitudes.
-double magnitude(const std::vector<TimeTable>& tables, double t) noexcept {
+/// Of all tables together at an instant: sum of magnitudes, from there on or just before.
+double magnitude(const std::vector<TimeTable>& tables, double t, bool before) noexcept {
   double sum = 0;
-  for (const auto& table : tables) sum += std::abs(table.at(t));
+  for (const auto& table : tables) sum += std::abs(before ? table.before(t) : table.at(t));
   return sum;
+}
+
+/// The last knot before t of any table; where there is none, some time before t.
+double knot_before(const std::vector<TimeTable>& tables, double t) noexcept {
+  double last = -std::numeric_limits<double>::infinity();
+  for (const auto& table : tables)
+    for (const double knot : table.time)
+      if (knot < t) last = std::max(last, knot);
+  return std::isfinite(last) ? last : t - 1 - std::abs(t);
 }
 
 double rms(const std::vector<double>& v) noexcept {
@@ -50,20 +59,25 @@ void NonlinearRhs::find_facts(const NonlinearInput& input) {
 }
 
 /// Joule heat is a square of what the tables say: where their sum v changes by dv, the heat q does by
-/// 2 q dv/v at most, with q and v those of the strongest instant.
+/// 2 q dv/v at most, with q and v those of the strongest instant, which may end with a step.
 void NonlinearRhs::add_steady_breakpoints() {
   const auto& tables = steady_->tables();
   double strongest = 0, largest = 0;
+  bool before_step = false;
   for (const auto& table : tables)
     for (const double t : table.time)
-      if (const double v = magnitude(tables, t); v > largest) {
-        largest = v;
-        strongest = t;
-      }
+      for (const bool before : {false, true})
+        if (const double v = magnitude(tables, t, before); v > largest) {
+          largest = v;
+          strongest = t;
+          before_step = before;
+        }
   if (!(largest > 0)) return;
   std::vector<double> rate(thermal_->size());
+  if (before_step) steady_->enter(knot_before(tables, strongest), strongest);
   joule_->rate(steady_->on_slots(strongest, electric_conductivity_ ? &*electric_conductivity_ : nullptr),
                rate);
+  steady_->leave();
   const double weight = 2 * rms(rate) / largest;
   for (const auto& table : tables) add_knots(table, weight, 0, facts_.breakpoints);
 }

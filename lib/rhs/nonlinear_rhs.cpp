@@ -290,6 +290,10 @@ void NonlinearRhs::leave() {
   if (steady_) steady_->leave();
 }
 
+void NonlinearRhs::ask_accuracy(double relative) {
+  if (steady_) steady_->ask_accuracy(relative);
+}
+
 std::span<const double> NonlinearRhs::steady_potential(double t, std::span<const double> temperature) {
   update_conductances(t, temperature.data());
   return steady_->on_rows(t, pointer_to(electric_conductivity_));

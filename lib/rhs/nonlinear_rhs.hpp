@@ -48,6 +48,7 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] OneWayCoupling* one_way() override;
   void enter(double begin, double end) override;
   void leave() override;
+  void ask_accuracy(double relative) override;
 
   // OneWayCoupling
   [[nodiscard]] Rhs& driver() override;

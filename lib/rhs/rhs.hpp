@@ -122,6 +122,9 @@ class Rhs {
   /// Back to the whole function of time.
   virtual void leave() {}
 
+  /// How accurate a run needs f to be where a part of it is found approximately [-]; 0 = as the scene states.
+  virtual void ask_accuracy(double /*relative*/) {}
+
  protected:
   Rhs(std::size_t size, RhsTraits traits, std::vector<FieldView> fields)
       : reduction_(size), traits_(traits), fields_(std::move(fields)) {}

@@ -1,5 +1,6 @@
 #include "rhs/steady_potential.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace superstep {
@@ -23,8 +24,12 @@ SteadyPotential::SteadyPotential(Network network, NodeValues values)
 void SteadyPotential::vary(const SlotConductivity& conductivity, std::span<const double> reference,
                            std::span<const std::int32_t> slot_of_node, double resolve_change) {
   variable_.emplace(field_, conductivity, reference, slot_of_node);
-  resolve_change_ = resolve_change;
+  stated_change_ = resolve_change_ = resolve_change;
   solved_for_.assign(reference.begin(), reference.end());
+}
+
+void SteadyPotential::ask_accuracy(double relative) noexcept {
+  resolve_change_ = relative > 0 ? std::min(relative, stated_change_) : stated_change_;
 }
 
 /// One solve for all constant inputs together, and one for each table at the value 1.

@@ -26,6 +26,8 @@ class SteadyPotential {
   [[nodiscard]] std::span<const double> on_slots(double t, const SlotConductivity* conductivity);
   /// Potentials on the rows at time t [rows].
   [[nodiscard]] std::span<const double> on_rows(double t, const SlotConductivity* conductivity);
+  /// Largest relative change of a conductivity that is not worth a solve; never above what was stated.
+  void ask_accuracy(double relative) noexcept;
   /// See Rhs::enter and Rhs::leave.
   void enter(double begin, double end) noexcept;
   void leave() noexcept;
@@ -40,7 +42,7 @@ class SteadyPotential {
   NodeValues values_;
   SpdSolver solver_;
   std::optional<VariableConduction> variable_;
-  double resolve_change_ = 0;
+  double stated_change_ = 0, resolve_change_ = 0;
   std::vector<double> solved_for_;          ///< [slots] conductivities of the last solve
   std::vector<std::vector<double>> basis_;  ///< [1 + tables][rows]
   std::vector<double> potential_;           ///< [rows]

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/gate/gate.hpp"
+#include "results/text/json_object.hpp"
 
 namespace superstep {
 
@@ -50,7 +51,7 @@ std::string gate_json(const GateReport& report) {
                                {"what", finding.what},
                                {"baseline", finding.before},
                                {"now", finding.now}});
-  return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(out);
 }
 
 }  // namespace superstep

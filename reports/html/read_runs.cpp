@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "results/read_motion.hpp"
-#include "results/read_results.hpp"
+#include "results/results_json.hpp"
 #include "results/thinning.hpp"
 
 namespace superstep {

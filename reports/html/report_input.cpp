@@ -9,7 +9,7 @@
 #include "core/text/text_file.hpp"
 #include "reports/html/read_runs.hpp"
 #include "results/observations_csv.hpp"
-#include "results/read_results.hpp"
+#include "results/results_json.hpp"
 #include "results/study/read_work_precision.hpp"
 #include "results/study/stability_tables.hpp"
 #include "results/text/json_object.hpp"

@@ -1,4 +1,3 @@
-#include "results/read_results.hpp"
 
 #include <gtest/gtest.h>
 

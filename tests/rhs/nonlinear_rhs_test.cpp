@@ -221,6 +221,22 @@ TEST(ConjugateGradients, FindTheSteadyState) {
   for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(found[i], exact[i], 1e-9);
 }
 
+/// A voltage that is there from the start and switched off by a step: heat until then, none later.
+TEST(SteadyPotential, SwitchedOffByAStepIsABreakpoint) {
+  const auto rhs = Thermoelectric{.steady = true, .electrode = {{1, 1}, {0.5, 0}}}.build();
+  ASSERT_EQ(rhs->facts().breakpoints.size(), 1u);
+  EXPECT_EQ(rhs->facts().breakpoints[0].t, 1);
+  EXPECT_GT(rhs->facts().breakpoints[0].jump[0], 0);
+  const std::vector<double> y(rhs->size(), 0.0);
+  const auto heat = [&](double begin, double end, double t) {
+    rhs->enter(begin, end);
+    const double inflow = rhs->inflow(t, y);
+    rhs->leave();
+    return inflow;
+  };
+  EXPECT_GT(heat(0, 1, 1), heat(1, 2, 1) + 1e-3);
+}
+
 /// The middle of two pieces, one-sided limits at their ends, and what lies beyond.
 TEST(Pieces, AreLinesForAnyTime) {
   const auto rhs = Thermoelectric{.nodes = 12, .convection = true, .tables = true}.build();

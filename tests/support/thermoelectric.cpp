@@ -57,8 +57,9 @@ Graph Thermoelectric::electric_graph() const {
   scale_conductances(electric, mean, graph);
   for (double& capacity : graph.capacity) capacity *= 0.3;
   graph.initial.assign(nodes, 0.0);
-  if (!tables) return graph;
-  graph.tables.push_back({{0, 1}, {0.5, 1.0}});
+  const bool own = !electrode.time.empty();
+  if (!tables && !own) return graph;
+  graph.tables.push_back(own ? electrode : TimeTable{{0, 1}, {0.5, 1.0}});
   graph.fixed_table.assign(nodes, -1);
   for (std::size_t node = 0; node < nodes; ++node)
     if (graph.is_fixed[node] && graph.fixed_value[node] == 1) graph.fixed_table[node] = 0;

@@ -18,7 +18,8 @@ struct Thermoelectric {
   std::vector<ConductivityLaw> electric = {{.value = 3}, {.value = 1}};
   ConductanceMean mean = ConductanceMean::harmonic;
   bool convection = false, radiation = false;
-  bool tables = false;  ///< the electrode and the ambient follow tables of time
+  bool tables = false;       ///< the electrode and the ambient follow tables of time
+  TimeTable electrode = {};  ///< that of the electrode instead, where it has knots
 
   [[nodiscard]] Graph thermal_graph() const;
   [[nodiscard]] Graph electric_graph() const;

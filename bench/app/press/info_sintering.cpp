@@ -12,6 +12,7 @@
 #include "dynamics/laws/damping.hpp"
 #include "dynamics/volume_fraction.hpp"
 #include "integrators/press/sintering_case.hpp"
+#include "results/text/json_object.hpp"
 
 namespace superstep {
 namespace {
@@ -131,7 +132,7 @@ std::string info_json(const SinteringCase& one, const PressFacts& facts) {
                     {"t_end", one.t_end},
                     {"electrode_unit", unit_of(one)},
                     {"phases", phases}};
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(out);
 }
 
 }  // namespace

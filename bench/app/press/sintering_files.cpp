@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "bench/host/machine.hpp"
@@ -19,7 +18,6 @@ namespace {
 using dynamics::HistoryRow;
 using dynamics::Motion;
 using dynamics::SinteringCase;
-using Json = nlohmann::ordered_json;
 
 const std::string& phase_name(const SinteringCase& one, const HistoryRow& row) {
   return one.model.schedule.phases()[static_cast<std::size_t>(row.phase)].name;
@@ -34,18 +32,32 @@ std::vector<HistoryRow> phase_ends(std::span<const HistoryRow> history) {
   return ends;
 }
 
-struct Part {
-  const char* name;
-  double seconds;
-};
-
-std::vector<Part> parts_of(const dynamics::PartTimes& times, double total) {
+MotionRecord::Parts parts_of(const dynamics::PartTimes& times, double total) {
   const double known = times.contacts + times.forces + times.heat + times.current;
-  return {{"contacts", times.contacts},
-          {"forces", times.forces},
-          {"heat", times.heat},
-          {"current", times.current},
-          {"rest", std::max(total - known, 0.0)}};
+  return {times.contacts, times.forces, times.heat, times.current, std::max(total - known, 0.0)};
+}
+
+MotionRecord motion_of(const SinteringCase& one, const Motion& motion, const SinteringResult& result) {
+  const Vec3 &low = one.model.box.min, &high = one.model.box.max;
+  MotionRecord record{.box_min = {low.x, low.y, low.z},
+                      .box_max = {high.x, high.y, high.z},
+                      .snapshots = {},
+                      .phase_ends = {},
+                      .iterations = motion.iterations(),
+                      .neighbour_lists = motion.network().contacts().list().builds(),
+                      .cpu_parts = parts_of(motion.network().times, result.cpu_stepping)};
+  for (const auto& snapshot : result.snapshots)
+    record.snapshots.push_back({snapshot.file, snapshot.time, snapshot.upper_wall});
+  for (const auto& row : phase_ends(motion.history()))
+    record.phase_ends.push_back({.phase = phase_name(one, row),
+                                 .time = row.time,
+                                 .volume_fraction = row.volume_fraction,
+                                 .mean_temperature = row.mean_temperature,
+                                 .max_temperature = row.max_temperature,
+                                 .wall_force = row.wall_force,
+                                 .bonds = static_cast<std::size_t>(row.bonds),
+                                 .contacts = static_cast<std::size_t>(row.contacts)});
+  return record;
 }
 
 RunRecord record_of(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
@@ -85,6 +97,7 @@ RunRecord record_of(const SinteringCase& one, const Motion& motion, const Sinter
     record.skips.push_back({"bonds", "the case has no [dynamics.bond], or its stiffness is 0"});
   record.machine = machine_facts();
   record.libraries = library_facts();
+  record.motion = motion_of(one, motion, result);
   return record;
 }
 
@@ -128,32 +141,7 @@ std::string particles_csv(const SinteringCase& one, const dynamics::State& state
 
 std::string sintering_json(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
                            int threads) {
-  Json json = Json::parse(run_json(record_of(one, motion, result, threads)));
-  Json phases = Json::array();
-  for (const auto& row : phase_ends(motion.history()))
-    phases.push_back({{"phase", phase_name(one, row)},
-                      {"time", row.time},
-                      {"volume_fraction", row.volume_fraction},
-                      {"mean_temperature", row.mean_temperature},
-                      {"max_temperature", row.max_temperature},
-                      {"wall_force", row.wall_force},
-                      {"bonds", row.bonds},
-                      {"contacts", row.contacts}});
-  Json parts;
-  for (const auto& part : parts_of(motion.network().times, result.cpu_stepping))
-    parts[part.name] = part.seconds;
-  Json snapshots = Json::array();
-  for (const auto& snapshot : result.snapshots)
-    snapshots.push_back(
-        {{"file", snapshot.file}, {"time", snapshot.time}, {"upper_wall", snapshot.upper_wall}});
-  const Vec3 &low = one.model.box.min, &high = one.model.box.max;
-  json["motion"] = {{"box", {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}}},
-                    {"snapshots", snapshots},
-                    {"phase_ends", phases},
-                    {"iterations", motion.iterations()},
-                    {"neighbour_lists", motion.network().contacts().list().builds()},
-                    {"cpu_parts_s", parts}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return run_json(record_of(one, motion, result, threads));
 }
 
 std::string sintering_summary(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
@@ -172,9 +160,13 @@ std::string sintering_summary(const SinteringCase& one, const Motion& motion, co
                         row.max_temperature, row.wall_force, row.bonds, row.contacts);
   text += fmt::format("{} steps, {} restarts, {} iterations, {:.3g} s CPU:", motion.history().size() - 1,
                       motion.rejected(), motion.iterations(), result.cpu_stepping);
-  for (const auto& part : parts_of(motion.network().times, result.cpu_stepping))
-    text += fmt::format(" {} {:.0f} %", part.name,
-                        result.cpu_stepping > 0 ? 100 * part.seconds / result.cpu_stepping : 0.0);
+  const auto parts = parts_of(motion.network().times, result.cpu_stepping);
+  const auto percent = [&](double seconds) {
+    return result.cpu_stepping > 0 ? 100 * seconds / result.cpu_stepping : 0.0;
+  };
+  text += fmt::format(" contacts {:.0f} % forces {:.0f} % heat {:.0f} % current {:.0f} % rest {:.0f} %",
+                      percent(parts.contacts), percent(parts.forces), percent(parts.heat),
+                      percent(parts.current), percent(parts.rest));
   return text + fmt::format("\n{}\n", folder);
 }
 

@@ -76,8 +76,8 @@ Outcome ChebyshevPropagator::propagate(std::span<Output> outputs) {
   if (radius() == 0) return no_exchange(outputs);
   count_terms(terms_);
   const double rounding = rounding_of_terms(1 + magnitude(), scale);
-  constexpr double never_mind = 1e-11;
-  if (rounding > std::max(tolerance(), never_mind)) return expand_change();
+  constexpr double never_mind = 1e-11;  // of a whole run
+  if (rounding > std::max(tolerance(), never_mind * share_of_run())) return expand_change();
   count_rounding(rounding);
   return expand_state();
 }

@@ -34,7 +34,8 @@ void InstantBatch::prepare(Rhs& rhs, const Task& task) {
   // Truncation is bounded in the capacity-weighted norm, and its error may lie in the smallest capacities
   // alone. Roundings are no reason to truncate earlier: that would save a term or two.
   const double allowed = span_ > 0 ? std::min(task.allowed.front() / span_, rtol_) : rtol_;
-  tolerance_ = part_ * allowed / (rms_over_weighted_ * static_cast<double>(passes));
+  share_of_run_ = 1 / static_cast<double>(passes);
+  tolerance_ = part_ * allowed / rms_over_weighted_ * share_of_run_;
   magnitude_ = span_ > 0 ? plan_->ranges.back().magnitude() / span_ : 0;
   states_.assign(std::min(states, most_states), StateVector(rhs.size()));
   allocate();

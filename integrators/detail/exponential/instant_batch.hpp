@@ -46,6 +46,8 @@ class InstantBatch : public Propagator {
   [[nodiscard]] bool stop_requested() const noexcept { return plan_->stop && plan_->stop->load(); }
   /// Results of a network in which nothing exchanges anything: values grow by their sources.
   [[nodiscard]] Outcome no_exchange(std::span<Output> outputs);
+  /// Of what a whole run may do, the part that is this batch's [-].
+  [[nodiscard]] double share_of_run() const noexcept { return share_of_run_; }
   /// Largest value of the field in spans.
   [[nodiscard]] double magnitude() const noexcept { return magnitude_; }
   void count_terms(std::size_t terms) noexcept {
@@ -73,6 +75,7 @@ class InstantBatch : public Propagator {
   double t_ = 0, t_batch_ = 0, radius_ = 0, span_ = 0, tolerance_ = 0, inflow_before_ = 0, inflow_ = 0;
   double rms_over_weighted_ = 1, magnitude_ = 0;  ///< bound of one norm by the other [-]; of values, in spans
   double rounding_ = 0;                           ///< in spans
+  double share_of_run_ = 1;
   std::uint64_t passes_ = 0;
   int most_terms_ = 0;
 };

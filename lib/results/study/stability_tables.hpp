@@ -1,21 +1,19 @@
 #pragma once
 /// The stability laboratory's results for machines: five CSV files and one JSON object from the same tables.
 
-#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "results/study/stability_results.hpp"
 
 namespace superstep {
 
-/// One table; an empty cell is a value that does not exist or is not finite.
+/// One table; a cell that is null does not exist or is not finite.
 struct StabilityTable {
-  using Cell = std::variant<std::monostate, std::string, std::int64_t, double, bool>;
   std::string name;  ///< "methods", "critical_step", "rounding", "sweeps", "states"
   std::vector<std::string> columns;
-  std::vector<std::vector<Cell>> rows;
+  std::vector<std::vector<nlohmann::ordered_json>> rows;
 
   [[nodiscard]] std::string file_name() const { return "stability_" + name + ".csv"; }
   [[nodiscard]] std::string csv() const;
@@ -23,6 +21,7 @@ struct StabilityTable {
 
 [[nodiscard]] std::vector<StabilityTable> stability_tables(const StabilityResults& results);
 
+inline constexpr const char* schema_of_stability = "superstep.stability";
 /// Of stability.json: 2 since it holds frozen states.
 constexpr int stability_schema_version = 2;
 

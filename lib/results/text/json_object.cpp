@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
+#include "results/text/csv_text.hpp"
 
 namespace superstep {
 namespace {
@@ -121,6 +122,17 @@ Json parse_results(const std::string& file, const std::string& schema, int newes
   if (root.count<int>("schema_version").value_or(0) > newest)
     throw InputError(fmt::format("{}: its schema version is newer than {}; update superstep", file, newest));
   return json;
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string csv_cell_of_json(const Json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return csv_cell(value.get_ref<const std::string&>());
+  if (value.is_number_float()) return csv_cell(value.get<double>());
+  return value.dump();
 }
 
 }  // namespace superstep

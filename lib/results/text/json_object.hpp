@@ -52,6 +52,12 @@ class JsonObject {
   const Json* json_;
 };
 
+/// Text of a JSON file. What users wrote and is quoted need not be UTF-8: what is not is replaced.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
+
+/// One value as a CSV cell; null is empty.
+[[nodiscard]] std::string csv_cell_of_json(const nlohmann::ordered_json& value);
+
 /// Parses a results file. Throws InputError unless it is an object with this "schema" and a "schema_version"
 /// up to `newest`.
 [[nodiscard]] nlohmann::ordered_json parse_results(const std::string& file, const std::string& schema,
