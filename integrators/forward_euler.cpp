@@ -1,6 +1,8 @@
 /// Forward Euler, the baseline: y_{n+1} = y_n + h f(t_n, y_n). Stable for h <= 2/lambda_max.
 /// Source: Rojek & Nisar 2026, eqs 13, 20-21, 27.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -58,6 +60,15 @@ class ForwardEuler final : public OneStepMethod {
   double first_step_ = 0;
 };
 
+std::vector<StabilityModel> stability_models(bool /*quick*/) {
+  return {{.family = "forward-euler",
+           .parameters = "",
+           .beta = 2,
+           .z_stiff = stability_margin * 2,
+           .response = [](double z) { return 1 - z; },
+           .spec = [](double step) { return fmt::format("forward-euler:step={:.17g}", step); }}};
+}
+
 }  // namespace
 
 IntegratorEntry forward_euler_entry() {
@@ -72,6 +83,7 @@ IntegratorEntry forward_euler_entry() {
           .representatives = {"forward-euler:fraction=1,bound=lanczos"},
           .ladder = {"forward-euler:alpha=1", "forward-euler:fraction=1,bound=lanczos",
                      "forward-euler:fraction=1", "forward-euler:fraction=0.25"},
+          .stability = {.functions = stability_models, .limits = stability_models},
           .make = [](const Options& options) { return std::make_unique<ForwardEuler>(options); }};
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/text/options.hpp"
 #include "integrators/driver.hpp"
+#include "integrators/stability_model.hpp"
 
 namespace superstep {
 
@@ -31,6 +32,8 @@ struct IntegratorEntry {
   /// SPECs of the work-precision sweep, from loose to tight; a point that is known to be unstable may stand
   /// there.
   std::vector<std::string> ladder;
+  /// What the stability laboratory compares the method with; empty = it has nothing to measure.
+  StabilityTheory stability = {};
   std::function<std::unique_ptr<Method>(const Options&)> make;
 };
 

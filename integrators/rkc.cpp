@@ -2,6 +2,7 @@
 /// Source: Sommeijer, Shampine & Verwer (1998), doi:10.1016/S0377-0427(97)00219-7.
 
 #include "integrators/detail/explicit/stabilised.hpp"
+#include "integrators/detail/explicit/stabilised_stability.hpp"
 
 namespace superstep {
 
@@ -15,6 +16,8 @@ IntegratorEntry rkc_entry() {
           .keys = stabilised_keys(rkc2_family(), true),
           .examples = {"rkc:rtol=1e-6", "rkc:order=1,rtol=1e-3", "rkc:step=15"},
           .ladder = joined({rtol_ladder("rkc", 1, 8), rtol_ladder("rkc:order=1", 1, 4)}),
+          .stability =
+              stabilised_theory({{rkc1_family, "rkc:order=1,", 10, false}, {rkc2_family, "rkc:", 10, true}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
             return std::make_unique<Stabilised>(
                 options.integer("order").value_or(2) == 1 ? rkc1_family() : rkc2_family(), options);

@@ -2,6 +2,7 @@
 /// Source: Skaras, Saxton, Meyer & Aslam (2021), doi:10.1016/j.jcp.2020.109879.
 
 #include "integrators/detail/explicit/stabilised.hpp"
+#include "integrators/detail/explicit/stabilised_stability.hpp"
 
 namespace superstep {
 
@@ -15,6 +16,7 @@ IntegratorEntry rkg_entry() {
           .keys = stabilised_keys(rkg2_family(), false),
           .examples = {"rkg:rtol=1e-6", "rkg:step=15"},
           .ladder = rtol_ladder("rkg", 1, 8),
+          .stability = stabilised_theory({{rkg2_family, "rkg:", 11, false}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
             return std::make_unique<Stabilised>(rkg2_family(), options);
           }};

@@ -2,6 +2,7 @@
 /// Source: Abdulle (2002), doi:10.1137/S1064827500379549.
 
 #include "integrators/detail/explicit/stabilised.hpp"
+#include "integrators/detail/explicit/stabilised_stability.hpp"
 
 namespace superstep {
 
@@ -15,6 +16,7 @@ IntegratorEntry rock_entry() {
           .keys = stabilised_keys(rock4_family(), false),
           .examples = {"rock:rtol=1e-6", "rock:step=0.1"},
           .ladder = rtol_ladder("rock", 2, 10),
+          .stability = stabilised_theory({{rock4_family, "rock:", 10, false}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
             return std::make_unique<Stabilised>(rock4_family(), options);
           }};

@@ -184,6 +184,36 @@ std::vector<OptionKey> sts_keys() {
   return keys;
 }
 
+StabilityModel stability_model(SuperstepShape shape, const std::string& order) {
+  const int n = shape.n;  // not a structured binding: clang 14 cannot capture one
+  const double nu = shape.nu;
+  const double length = superstep_length(n, nu);
+  return {.family = "sts",
+          .parameters = fmt::format("n={},nu={:g}", n, nu),
+          .order = order,
+          .stages = n,
+          .beta = 2 * length,
+          .z_stiff = stability_margin * 2 * length,
+          .response = [=](double z) { return static_cast<double>(superstep_response(n, nu, z / length)); },
+          .spec =
+              [=](double step) {
+                return fmt::format("sts:n={},nu={},order={},step={:.17g}", n, nu, order, step / length);
+              }};
+}
+
+std::vector<StabilityModel> stability_functions(bool quick) {
+  std::vector<StabilityModel> models;
+  for (const auto& shape : superstep_shapes(quick))
+    for (const char* order : superstep_orders) models.push_back(stability_model(shape, order));
+  return models;
+}
+
+std::vector<StabilityModel> stability_limits(bool quick) {
+  std::vector<StabilityModel> models = {stability_model({10, 1e-3}, "leja")};
+  if (!quick) models.push_back(stability_model({20, 1e-4}, "leja"));
+  return models;
+}
+
 }  // namespace
 
 IntegratorEntry sts_entry() {
@@ -199,6 +229,7 @@ IntegratorEntry sts_entry() {
           .representatives = {"sts:n=10,nu=1e-3", "sts:n=20,nu=1e-4", "sts:n=25,nu=1e-5"},
           .ladder = {"sts:n=10,nu=0.05,alpha=1", "sts:n=5,nu=1e-2", "sts:n=10,nu=1e-2", "sts:n=20,nu=1e-3",
                      "sts:n=40,nu=1e-3", "sts:n=auto,rtol=1e-2", "sts:n=auto,rtol=1e-3"},
+          .stability = {.functions = stability_functions, .limits = stability_limits},
           .make = [](const Options& options) { return std::make_unique<SuperTimeStepping>(options); }};
 }
 

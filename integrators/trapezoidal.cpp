@@ -4,6 +4,8 @@
 
 #include "integrators/detail/implicit/trapezoidal.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "core/error.hpp"
@@ -75,6 +77,20 @@ std::unique_ptr<Method> make_trapezoidal(const Options& options) {
   return std::make_unique<TrapezoidalNewton>(rule);
 }
 
+std::vector<StabilityModel> stability_functions(bool /*quick*/) {
+  std::vector<StabilityModel> models;
+  for (const double phi : {0.5, 0.6, 1.0})
+    for (const double z_stiff : {10.0, 1e4})
+      models.push_back(
+          {.family = "trapezoidal",
+           .parameters = fmt::format("phi={:g}", phi),
+           .beta = std::nullopt,
+           .z_stiff = z_stiff,
+           .response = [phi](double z) { return (1 - (1 - phi) * z) / (1 + phi * z); },
+           .spec = [phi](double step) { return fmt::format("trapezoidal:phi={},step={:.17g}", phi, step); }});
+  return models;
+}
+
 }  // namespace
 
 IntegratorEntry trapezoidal_entry() {
@@ -92,6 +108,7 @@ IntegratorEntry trapezoidal_entry() {
                             rtol_ladder("trapezoidal:solver=klu", 2, 5),
                             rtol_ladder("trapezoidal:solver=cholmod", 2, 5),
                             {"trapezoidal:solver=fixed-point,rtol=1e-4"}}),
+          .stability = {.functions = stability_functions, .limits = {}},
           .make = make_trapezoidal};
 }
 

@@ -9,12 +9,6 @@ namespace {
 
 constexpr double above_one = 1 + 1e-9;  // values of 1 come with rounding
 
-long double chebyshev(int n, long double x) {
-  if (std::abs(x) <= 1) return std::cos(n * std::acos(x));
-  const long double size = std::cosh(n * std::acosh(std::abs(x)));
-  return x < 0 && n % 2 == 1 ? -size : size;
-}
-
 double grid_point(double from, double to, int k, int points) {
   return from + (to - from) * 0.5 * (1 - std::cos(std::numbers::pi * k / points));
 }
@@ -29,11 +23,6 @@ double crossing(const Response& response, double low, double high, double bound)
 }
 
 }  // namespace
-
-long double superstep_response(int n, double nu, long double x) {
-  const long double damping = nu;
-  return chebyshev(n, (1 + damping - x) / (1 - damping)) / chebyshev(n, (1 + damping) / (1 - damping));
-}
 
 double largest_response(const Response& response, double from, double to, int points) {
   double largest = 0;

@@ -2,17 +2,11 @@
 /// Stability functions: what one step makes of a mode, and where that grows.
 /// Throughout z = step * rate >= 0 and response(z) = R(-z).
 
-#include <functional>
 #include <optional>
 
+#include "integrators/stability_model.hpp"
+
 namespace superstep {
-
-using Response = std::function<double(double z)>;
-
-/// Polynomial of a superstep in closed form, T_n((1 + nu - x)/(1 - nu)) / T_n((1 + nu)/(1 - nu)), at x = rate
-/// * critical step; 0 <= x <= 2 is stable. Long double, so that it can serve as the truth beside computed
-/// supersteps.
-[[nodiscard]] long double superstep_response(int n, double nu, long double x);
 
 /// max |response| over [from, to], on `points` points that crowd near both ends as the ripples of the
 /// polynomials do.

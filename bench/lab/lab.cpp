@@ -24,7 +24,7 @@ std::vector<MethodStability> examine_methods(PerturbationRhs& rhs, const Stiffes
                                              Progress& progress) {
   std::vector<MethodStability> out;
   if (!(mode.rate > 0)) return out;
-  const auto methods = method_catalogue(quick);
+  const auto methods = stability_functions(quick);
   double whole = 0, done = 0;
   for (const auto& method : methods) whole += method.stages;
   progress.begin("stability functions", whole);

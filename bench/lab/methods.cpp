@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/lab/function.hpp"
+
 namespace superstep {
 namespace {
 
@@ -11,25 +13,25 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double growth_looked_for = 2;
 constexpr double growth_tolerance = 0.01;  // power iteration approaches from below
 
-int grid_points(const MethodCase& method) {
+int grid_points(const StabilityModel& method) {
   return 200 + 40 * method.stages;  // some forty on each ripple
 }
 
 // Effort of power iteration: few stages need many steps until the stiffest modes have won.
-int most_growth_steps(const MethodCase& method) {
+int most_growth_steps(const StabilityModel& method) {
   constexpr int most_sweeps = 20000;
   return most_sweeps / method.stages;
 }
 
 // R at one step length as the stiffest mode shows it: <v, P v> for a v of norm 1.
-double measured_response(PerturbationRhs& rhs, const StiffestMode& mode, const MethodCase& method,
+double measured_response(PerturbationRhs& rhs, const StiffestMode& mode, const StabilityModel& method,
                          double step) {
   StepOperator one_step(rhs, method.spec(step), step);
   auto e = mode.shape;
   return one_step.apply(e) ? capacity_product(rhs, mode.shape, e) : infinity;
 }
 
-void compare_responses(PerturbationRhs& rhs, const StiffestMode& mode, const MethodCase& method,
+void compare_responses(PerturbationRhs& rhs, const StiffestMode& mode, const StabilityModel& method,
                        MethodStability& out) {
   // A new length is a new factorization for an implicit method: the full step alone.
   const std::vector<double> parts = method.beta ? std::vector{0.1, 0.25, 0.5, 0.75, 1.0} : std::vector{1.0};
@@ -41,7 +43,7 @@ void compare_responses(PerturbationRhs& rhs, const StiffestMode& mode, const Met
   }
 }
 
-void measure_beyond(PerturbationRhs& rhs, const StiffestMode& mode, const MethodCase& method,
+void measure_beyond(PerturbationRhs& rhs, const StiffestMode& mode, const StabilityModel& method,
                     MethodStability& out) {
   const double z = growth_position(method.response, *out.limit, growth_looked_for);
   const double step = z / mode.rate;
@@ -56,7 +58,7 @@ bool is_confirmed(const MethodStability& out) {
 
 }  // namespace
 
-MethodStability examine_method(PerturbationRhs& rhs, const StiffestMode& mode, const MethodCase& method) {
+MethodStability examine_method(PerturbationRhs& rhs, const StiffestMode& mode, const StabilityModel& method) {
   const int points = grid_points(method);
   MethodStability out;
   out.family = method.family;

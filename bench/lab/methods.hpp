@@ -15,6 +15,6 @@ namespace superstep {
 ///   - a white perturbation at the method's own step: its growth must stay below max |R|
 ///   - a white perturbation at a step beyond the limit, where |R| = 2: it must double in each step
 [[nodiscard]] MethodStability examine_method(PerturbationRhs& rhs, const StiffestMode& mode,
-                                             const MethodCase& method);
+                                             const StabilityModel& method);
 
 }  // namespace superstep

@@ -6,6 +6,15 @@
 #include <utility>
 
 namespace superstep {
+namespace {
+
+long double chebyshev(int n, long double x) {
+  if (std::abs(x) <= 1) return std::cos(n * std::acos(x));
+  const long double size = std::cosh(n * std::acosh(std::abs(x)));
+  return x < 0 && n % 2 == 1 ? -size : size;
+}
+
+}  // namespace
 
 double superstep_length(int n, double nu) noexcept {
   const double q = std::sqrt(nu);
@@ -37,6 +46,21 @@ std::vector<double> leja_ordered(std::vector<double> substeps) {
     }
   }
   return substeps;
+}
+
+long double superstep_response(int n, double nu, long double x) {
+  const long double damping = nu;
+  return chebyshev(n, (1 + damping - x) / (1 - damping)) / chebyshev(n, (1 + damping) / (1 - damping));
+}
+
+std::vector<SuperstepShape> superstep_shapes(bool quick) {
+  if (quick) return {{5, 1e-3}, {20, 1e-4}, {64, 0.05}, {128, 1e-3}};
+  std::vector<SuperstepShape> shapes;
+  for (const double nu : {1e-3, 1e-4, 1e-5})
+    for (const int n : {5, 10, 15, 20, 25}) shapes.push_back({n, nu});
+  shapes.push_back({64, 0.05});
+  shapes.push_back({128, 1e-3});
+  return shapes;
 }
 
 }  // namespace superstep

@@ -18,4 +18,18 @@ namespace superstep {
 /// rounding, small.
 [[nodiscard]] std::vector<double> leja_ordered(std::vector<double> substeps);
 
+/// Polynomial of a superstep in closed form, T_n((1 + nu - x)/(1 - nu)) / T_n((1 + nu)/(1 - nu)), at x = rate
+/// * critical step; 0 <= x <= 2 is stable. Long double, so that it can serve as the truth beside computed
+/// supersteps.
+[[nodiscard]] long double superstep_response(int n, double nu, long double x);
+
+/// Substeps and damping of a superstep.
+struct SuperstepShape {
+  int n;
+  double nu;
+};
+/// The 15 published sets (Rojek & Nisar 2026, table 2) and two that natural order does not survive.
+[[nodiscard]] std::vector<SuperstepShape> superstep_shapes(bool quick);
+inline constexpr const char* superstep_orders[] = {"recurrence", "leja", "natural"};
+
 }  // namespace superstep

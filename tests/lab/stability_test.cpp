@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "bench/lab/chain.hpp"
+#include "bench/lab/function.hpp"
 #include "bench/lab/lab.hpp"
 #include "bench/lab/methods.hpp"
 #include "bench/lab/rounding.hpp"

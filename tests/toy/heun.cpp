@@ -1,6 +1,8 @@
 /// Heun's method, the example of integrators/README.md: order two, stable like forward Euler.
 /// Source: Heun (1900), Z. Math. Phys. 45, 23-38.
 
+#include <fmt/format.h>
+
 #include "integrators/detail/explicit/critical_step.hpp"
 #include "integrators/registry.hpp"
 
@@ -35,6 +37,16 @@ class Heun final : public OneStepMethod {
   StateVector trial_;
 };
 
+std::vector<StabilityModel> stability_models(bool /*quick*/) {
+  return {{.family = "heun",
+           .parameters = "",
+           .stages = 2,
+           .beta = 2,
+           .z_stiff = stability_margin * 2,
+           .response = [](double z) { return 1 - z + z * z / 2; },
+           .spec = [](double step) { return fmt::format("heun:step={:.17g}", step); }}};
+}
+
 }  // namespace
 
 IntegratorEntry heun_entry() {
@@ -47,6 +59,7 @@ IntegratorEntry heun_entry() {
           .keys = critical_step_keys(),
           .examples = {"heun:fraction=0.5"},
           .ladder = {"heun:fraction=0.9", "heun:fraction=0.25"},
+          .stability = {.functions = stability_models, .limits = stability_models},
           .make = [](const Options& options) { return std::make_unique<Heun>(options); }};
 }
 

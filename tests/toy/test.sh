@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Adds an integrator as integrators/README.md says, one file and one line, to a copy of the sources, builds that, and looks
-# whether program, completion, conformance, order, work-precision and report know it. Some minutes on two cores.
+# whether program, completion, conformance, order, work-precision, laboratory and report know it. Some minutes on two cores.
 #   test.sh SOURCE
 set -euo pipefail
 source=$1
@@ -23,6 +23,8 @@ has() { grep -q -- "$1" "$2" || { echo "$2: no $1"; exit 1; }; }
 has '^heun ' bench.txt && has '#305070' bench/report.html
 "$superstep" bench cases/lattice.toml --work-precision --out bench --no-cache --quiet >sweep.txt
 has 'heun:fraction=0.25' sweep.txt
+"$superstep" stability cases/lattice.toml --quick --out stability >stability.txt
+has '^heun,' stability/stability_methods.csv
 build/bin/test_integrators --gtest_filter='*heun*' >tests.txt || { cat tests.txt; exit 1; }
 has 'PASSED' tests.txt
 echo "a toy integrator is known everywhere: $(grep -c 'OK ' tests.txt) tests of the registry took it"

@@ -10,6 +10,7 @@
 #include "bench/lab/frozen/growth.hpp"
 #include "bench/lab/frozen/spectrum.hpp"
 #include "bench/lab/frozen/states_of_run.hpp"
+#include "bench/lab/function.hpp"
 
 namespace superstep {
 namespace {
@@ -44,14 +45,14 @@ std::string kind_name(Kind kind) {
   return {};
 }
 
-std::optional<double> predicted_limit(const MethodCase& method, const Spectrum& spectrum) {
+std::optional<double> predicted_limit(const StabilityModel& method, const Spectrum& spectrum) {
   if (method.family == "forward-euler") return spectrum.euler_limit;
   if (spectrum.kind == Kind::complex) return std::nullopt;
   const auto z = growth_limit(method.response, *method.beta, 200 + 40 * method.stages);
   return z ? std::optional(*z / std::abs(spectrum.limiting)) : std::nullopt;
 }
 
-FrozenLimit find_limit(const FrozenRhs& rhs, GrowthMeter& meter, const MethodCase& method,
+FrozenLimit find_limit(const FrozenRhs& rhs, GrowthMeter& meter, const StabilityModel& method,
                        const Spectrum& spectrum) {
   const auto growth = [&](double step) { return meter.growth(method.spec(step), step); };
   FrozenLimit out;
@@ -105,7 +106,7 @@ FrozenState find_limits(FrozenRhs& rhs, bool quick, const std::function<void()>&
   out.rising = spectrum.rising;
   out.certified_bound = rhs.frozen().bound;
   GrowthMeter meter(rhs, spectrum.shape, modes_of(spectrum.kind), spectrum.rising);
-  for (const auto& method : limit_catalogue(quick)) {
+  for (const auto& method : stability_limits(quick)) {
     out.limits.push_back(find_limit(rhs, meter, method, spectrum));
     if (done) done();
   }
@@ -135,7 +136,7 @@ void study_frozen_states(const Scene& scene, bool quick, Progress& progress, Sta
     else
       kept.emplace_back(&state, std::move(jacobian));
   }
-  const auto whole = kept.size() * limit_catalogue(quick).size();
+  const auto whole = kept.size() * stability_limits(quick).size();
   progress.begin("limits at frozen states", static_cast<double>(whole));
   double count = 0;
   for (auto& [state, jacobian] : kept) {

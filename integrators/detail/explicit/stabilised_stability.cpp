@@ -1,0 +1,58 @@
+#include "integrators/detail/explicit/stabilised_stability.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace superstep {
+namespace {
+
+StabilityModel model_of(const OfferedFamily& offered, int stages) {
+  const auto& family = offered.family();
+  const auto scheme = std::make_shared<ThreeTermScheme>(family.scheme(stages));
+  // ROCK4's finish multiplies the roundings of its last stages, a few units each, by w(-l) = 1.5e-4 s^8.
+  const double rounding =
+      family.order == 4 ? 16 * std::numeric_limits<double>::epsilon() * 1.5e-4 * std::pow(stages, 8) : 0;
+  const std::string head = fmt::format("{}stages={}", offered.spec_head, stages);
+  return {.family = family.name,
+          .parameters = fmt::format("s={}", stages),
+          .stages = stages,
+          .beta = scheme->beta,
+          .z_stiff = stability_margin * scheme->beta,
+          .rounding = rounding,
+          .response = [scheme](double z) { return stability_polynomial(*scheme, -z); },
+          .spec = [head](double step) { return fmt::format("{},step={:.17g}", head, step); }};
+}
+
+std::vector<int> stage_counts(const StabilisedFamily& family, bool quick) {
+  const bool odd = family.stage_step == 2;
+  if (family.order == 4) return quick ? std::vector{5, 20} : std::vector{5, 8, 10, 20, 50, 100};
+  if (quick) return odd ? std::vector{3, 5, 21} : std::vector{2, 5, 20};
+  return odd ? std::vector{3, 5, 11, 21, 51, 101, 199} : std::vector{2, 3, 5, 10, 20, 50, 100, 200};
+}
+
+}  // namespace
+
+StabilityTheory stabilised_theory(std::vector<OfferedFamily> families) {
+  return {.functions =
+              [families](bool quick) {
+                std::vector<StabilityModel> models;
+                for (const auto& offered : families)
+                  for (const int stages : stage_counts(offered.family(), quick))
+                    models.push_back(model_of(offered, stages));
+                return models;
+              },
+          .limits =
+              [families](bool quick) {
+                std::vector<StabilityModel> models;
+                for (const auto& offered : families)
+                  if (offered.limit_when_quick || !quick)
+                    models.push_back(model_of(offered, offered.limit_stages));
+                return models;
+              }};
+}
+
+}  // namespace superstep
