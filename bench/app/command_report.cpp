@@ -23,7 +23,7 @@ std::string summary(const ReportCommand& command) {
   return markdown_summary(report, before ? &*before : nullptr);
 }
 
-std::string json_text(const std::string& file) {
+std::string report_json(const std::string& file) {
   const nlohmann::ordered_json json = {{"schema", "superstep.report"}, {"schema_version", 1}, {"file", file}};
   return json_text(json);
 }
@@ -47,7 +47,7 @@ int execute(const ReportCommand& command) {
   const std::string markdown = command.markdown ? summary(command) : std::string();
   const std::string file = write_report(command.folder);
   if (command.common.json)
-    print_data(json_text(file));
+    print_data(report_json(file));
   else
     print_data(markdown);
   if (!command.common.quiet) note("report in " + file);

@@ -2,34 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <set>
 #include <utility>
 
+#include "core/random.hpp"
+
 namespace superstep {
 namespace {
-
-// Not std::uniform_real_distribution, whose numbers differ between libraries.
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
-Graph equal_nodes(std::size_t n) {
-  Graph graph;
-  for (std::size_t k = 0; k < n; ++k) graph.id.push_back(static_cast<std::int64_t>(k));
-  graph.capacity.assign(n, 1.0);
-  graph.source.assign(n, 0.0);
-  graph.initial.assign(n, 0.0);
-  graph.fixed_value.assign(n, 0.0);
-  graph.is_fixed.assign(n, 0);
-  return graph;
-}
-
-void join(Graph& graph, std::size_t i, std::size_t j, double conductance) {
-  graph.i.push_back(static_cast<std::int32_t>(std::min(i, j)));
-  graph.j.push_back(static_cast<std::int32_t>(std::max(i, j)));
-  graph.conductance.push_back(conductance);
-}
 
 void fix(Graph& graph, std::size_t node, double value) {
   graph.is_fixed[node] = 1;
@@ -49,9 +28,9 @@ LaboratoryNetwork assemble(Graph graph) {
   return out;
 }
 
-std::vector<double> random_radii(const RandomNetwork& settings, std::mt19937_64& random) {
+std::vector<double> random_radii(const RandomNetwork& settings, Random& random) {
   std::vector<double> radii(settings.nodes);
-  for (double& radius : radii) radius = std::pow(settings.size_ratio, uniform(random));
+  for (double& radius : radii) radius = std::pow(settings.size_ratio, random.uniform());
   radii[settings.nodes / 3] = 1;
   radii[2 * settings.nodes / 3] = settings.size_ratio;
   return radii;
@@ -60,33 +39,33 @@ std::vector<double> random_radii(const RandomNetwork& settings, std::mt19937_64&
 }  // namespace
 
 LaboratoryNetwork chain_network(std::size_t free_nodes) {
-  std::mt19937_64 random(7);
+  Random random(7);
   Graph graph = equal_nodes(free_nodes + 2);
-  for (std::size_t k = 0; k <= free_nodes; ++k) join(graph, k, k + 1, 1.0);
-  for (double& value : graph.initial) value = uniform(random);
+  for (std::size_t k = 0; k <= free_nodes; ++k) add_edge(graph, k, k + 1, 1.0);
+  for (double& value : graph.initial) value = random.uniform();
   fix(graph, 0, 0.0);
   fix(graph, free_nodes + 1, 1.0);
   return assemble(std::move(graph));
 }
 
 LaboratoryNetwork random_network(const RandomNetwork& settings) {
-  std::mt19937_64 random(settings.seed);
+  Random random(settings.seed);
   const std::size_t n = settings.nodes;
   Graph graph = equal_nodes(n);
   const auto radii = random_radii(settings, random);
   std::set<std::pair<std::size_t, std::size_t>> taken;
   const auto touch = [&](std::size_t i, std::size_t j) {
     if (i == j || !taken.insert(std::minmax(i, j)).second) return;
-    join(graph, i, j, std::min(radii[i], radii[j]) * std::pow(settings.contrast, uniform(random)));
+    add_edge(graph, i, j, std::min(radii[i], radii[j]) * std::pow(settings.contrast, random.uniform()));
   };
-  for (std::size_t k = 1; k < n; ++k) touch(k, random() % k);  // a tree: connected
+  for (std::size_t k = 1; k < n; ++k) touch(k, random.bits() % k);  // a tree: connected
   for (std::size_t k = 0; k < 2 * n; ++k) {
-    const std::size_t i = random() % n, j = random() % n;
+    const std::size_t i = random.bits() % n, j = random.bits() % n;
     touch(i, j);
   }
   for (std::size_t k = 0; k < n; ++k) {
     graph.capacity[k] = radii[k] * radii[k] * radii[k];
-    graph.initial[k] = random() % 2 == 0 ? 0.0 : 1.0;
+    graph.initial[k] = random.bits() % 2 == 0 ? 0.0 : 1.0;
   }
   fix(graph, 0, 0.0);
   fix(graph, n / 2, 1.0);

@@ -6,15 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/index.hpp"
+
 namespace superstep {
 namespace {
 
 constexpr double rkc1_damping = 0.05;
 constexpr double rkc2_damping = 2.0 / 13.0;
-
-std::size_t at(int j) noexcept {
-  return static_cast<std::size_t>(j);
-}
 
 void clear_scheme(int stages, double beta, ThreeTermScheme& scheme) {
   scheme.stages = stages;

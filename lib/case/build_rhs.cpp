@@ -6,15 +6,12 @@
 
 #include "case/roles.hpp"
 #include "core/error.hpp"
+#include "core/index.hpp"
 #include "network/spd_solver.hpp"
 #include "rhs/network_rhs.hpp"
 
 namespace superstep {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 FieldScene* find_field(Scene& scene, const char* name) {
   for (auto& field : scene.fields)

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/index.hpp"
 #include "network/components.hpp"
 
 namespace superstep {
@@ -16,10 +17,6 @@ struct ComponentFacts {
   double value = 0, fixed_value = 0;
   [[nodiscard]] bool idle() const noexcept { return uniform && !acted_on && !sourced && has_free; }
 };
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 void examine_values(const Graph& graph, const Components& components, std::vector<ComponentFacts>& facts) {
   for (std::size_t node = 0; node < graph.nodes(); ++node) {

@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/index.hpp"
+
 namespace superstep::dynamics {
-namespace {
-
-std::size_t at(std::int32_t i) noexcept {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 const std::optional<double>& Electrodes::of(Wall wall) const noexcept {
   static const std::optional<double> none;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/index.hpp"
 #include "dynamics/laws/damping.hpp"
 #include "dynamics/laws/drag.hpp"
 #include "dynamics/laws/friction.hpp"
@@ -11,10 +12,6 @@
 
 namespace superstep::dynamics {
 namespace {
-
-std::size_t at(std::int32_t i) noexcept {
-  return static_cast<std::size_t>(i);
-}
 
 /// Force on this body from the other one through a contact.
 ///   normal    from this body to the other

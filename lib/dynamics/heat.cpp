@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "core/index.hpp"
+
 namespace superstep::dynamics {
 namespace {
-
-std::size_t at(std::int32_t i) noexcept {
-  return static_cast<std::size_t>(i);
-}
 
 // The centre never gets as far as the wall in an accepted step; the bound keeps trial positions finite.
 double wall_conductance(const ThermalLaw& law, const WallContact& contact, double radius) noexcept {

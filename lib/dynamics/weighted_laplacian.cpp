@@ -7,16 +7,13 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/index.hpp"
 #include "network/graph.hpp"
 #include "network/network.hpp"
 #include "network/spd_solver.hpp"
 
 namespace superstep::dynamics {
 namespace {
-
-std::size_t at(std::int32_t i) noexcept {
-  return static_cast<std::size_t>(i);
-}
 
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) noexcept {
   while (parent[at(i)] != i) {

@@ -2,14 +2,11 @@
 
 #include <cmath>
 
+#include "core/index.hpp"
 #include "core/reduction.hpp"
 
 namespace superstep {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 void multiply(const Network& network, const std::vector<double>& diagonal, const std::vector<double>& x,
               std::vector<double>& out) {

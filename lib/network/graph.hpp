@@ -48,6 +48,11 @@ struct Graph {
   }
 };
 
+/// n nodes with ids 0, 1, ..., capacity 1, values 0, none of them fixed, and no edges.
+[[nodiscard]] Graph equal_nodes(std::size_t n);
+/// One edge more, from the lower position to the higher.
+void add_edge(Graph& graph, std::size_t i, std::size_t j, double conductance);
+
 /// Reads `id,capacity,source,initial,fixed` and `i,j,conductance`. Throws InputError with file, line, value
 /// and rule.
 [[nodiscard]] Graph read_graph(const std::string& nodes_file, const std::string& edges_file);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/index.hpp"
 #include "network/ordering.hpp"
 
 namespace superstep {
@@ -16,13 +17,6 @@ struct Adjacency {
   std::vector<std::int32_t> neighbour;
   std::vector<double> conductance;
 };
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
-std::size_t at(std::int64_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// Both directions of every edge between two rows, counted first so that nothing reallocates.
 Adjacency free_adjacency(const Graph& graph, const std::vector<std::int32_t>& row_of_node, std::size_t rows) {

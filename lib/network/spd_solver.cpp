@@ -4,15 +4,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/index.hpp"
 
 namespace superstep {
-namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
-
-}  // namespace
 
 bool every_component_is_held(const Network& network) {
   std::vector<char> held(network.size(), 0);

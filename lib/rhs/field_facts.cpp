@@ -4,14 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/index.hpp"
 #include "rhs/kernels/field_operator.hpp"
 
 namespace superstep {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// Adds up what rows take from one table, rate of change per unit of the table; rows come in order.
 class Weights {

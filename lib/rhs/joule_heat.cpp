@@ -2,17 +2,11 @@
 
 #include <algorithm>
 
+#include "core/index.hpp"
 #include "rhs/kernels/sweep.hpp"
 
 namespace superstep {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
-std::size_t at(std::int64_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// Calls end(row, other slot, branch) for each branch end that heats a temperature row.
 template <class End>

@@ -7,16 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/index.hpp"
 #include "core/parallel.hpp"
 #include "network/cg_steady.hpp"
 #include "rhs/network_rhs.hpp"
 
 namespace superstep {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 bool linear(const NonlinearInput& input) {
   const bool laws = input.temperature.varies() || (input.potential && input.potential->varies());

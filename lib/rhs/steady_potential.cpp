@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/index.hpp"
+
 namespace superstep {
-namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
-
-}  // namespace
 
 SteadyPotential::SteadyPotential(Network network, NodeValues values)
     : field_(std::move(network)),

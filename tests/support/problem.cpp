@@ -5,52 +5,27 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <random>
 #include <set>
 
+#include "core/random.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep::test {
-namespace {
-
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
-Graph nodes_only(std::size_t n) {
-  Graph graph;
-  for (std::size_t k = 0; k < n; ++k) graph.id.push_back(static_cast<std::int64_t>(k));
-  graph.capacity.assign(n, 1.0);
-  graph.source.assign(n, 0.0);
-  graph.initial.assign(n, 0.0);
-  graph.fixed_value.assign(n, 0.0);
-  graph.is_fixed.assign(n, 0);
-  return graph;
-}
-
-void add_edge(Graph& graph, std::size_t i, std::size_t j, double conductance) {
-  graph.i.push_back(static_cast<std::int32_t>(std::min(i, j)));
-  graph.j.push_back(static_cast<std::int32_t>(std::max(i, j)));
-  graph.conductance.push_back(conductance);
-}
-
-}  // namespace
-
 Graph random_graph(const RandomGraph& settings) {
-  std::mt19937_64 random(settings.seed);
-  Graph graph = nodes_only(settings.nodes);
-  const auto conductance = [&] { return std::pow(settings.contrast, uniform(random)); };
+  Random random(settings.seed);
+  Graph graph = equal_nodes(settings.nodes);
+  const auto conductance = [&] { return std::pow(settings.contrast, random.uniform()); };
   std::set<std::pair<std::size_t, std::size_t>> taken;
   const auto join = [&](std::size_t a, std::size_t b) {
     if (a != b && taken.insert(std::minmax(a, b)).second) add_edge(graph, a, b, conductance());
   };
-  for (std::size_t k = 1; k < settings.nodes; ++k) join(k, random() % k);
+  for (std::size_t k = 1; k < settings.nodes; ++k) join(k, random.bits() % k);
   for (std::size_t k = 0; k < 2 * settings.nodes; ++k)
-    join(random() % settings.nodes, random() % settings.nodes);
+    join(random.bits() % settings.nodes, random.bits() % settings.nodes);
   for (std::size_t k = 0; k < settings.nodes; ++k) {
-    graph.capacity[k] = 1 + uniform(random);
-    graph.initial[k] = uniform(random);
-    if (settings.sources && k % 3 == 0) graph.source[k] = uniform(random);
+    graph.capacity[k] = 1 + random.uniform();
+    graph.initial[k] = random.uniform();
+    if (settings.sources && k % 3 == 0) graph.source[k] = random.uniform();
   }
   for (std::size_t k = 0; k < settings.fixed; ++k) {
     graph.is_fixed[k * settings.nodes / settings.fixed] = 1;
@@ -60,7 +35,7 @@ Graph random_graph(const RandomGraph& settings) {
 }
 
 Graph chain(std::size_t nodes, std::optional<double> left, std::optional<double> right) {
-  Graph graph = nodes_only(nodes);
+  Graph graph = equal_nodes(nodes);
   for (std::size_t k = 0; k + 1 < nodes; ++k) add_edge(graph, k, k + 1, 1.0);
   const auto fix = [&](std::size_t node, std::optional<double> value) {
     if (!value) return;
@@ -73,18 +48,18 @@ Graph chain(std::size_t nodes, std::optional<double> left, std::optional<double>
 }
 
 Graph star(std::size_t leaves) {
-  Graph graph = nodes_only(leaves + 1);
+  Graph graph = equal_nodes(leaves + 1);
   graph.initial[0] = 1;
   for (std::size_t k = 1; k <= leaves; ++k) add_edge(graph, 0, k, 1.0);
   return graph;
 }
 
 Graph relabelled(const Graph& graph, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
+  Random random(seed);
   std::vector<std::size_t> old(graph.nodes()), now(graph.nodes());
   std::iota(old.begin(), old.end(), std::size_t{0});
-  for (std::size_t k = old.size(); k > 1; --k) std::swap(old[k - 1], old[random() % k]);
-  Graph out = nodes_only(graph.nodes());
+  for (std::size_t k = old.size(); k > 1; --k) std::swap(old[k - 1], old[random.bits() % k]);
+  Graph out = equal_nodes(graph.nodes());
   for (std::size_t k = 0; k < old.size(); ++k) {
     now[old[k]] = k;
     out.id[k] = graph.id[old[k]];

@@ -5,16 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/index.hpp"
 #include "core/parallel.hpp"
 
 namespace superstep {
 namespace {
 
 constexpr double rounding = 1e-12;  // of what two entries that ought to be equal may differ by
-
-std::size_t at(std::int64_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// [n] number of the field that an entry belongs to.
 std::vector<std::size_t> field_of_entry(const Rhs& scene) {

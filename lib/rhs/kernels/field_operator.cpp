@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/index.hpp"
 #include "rhs/kernels/sweep.hpp"
 
 namespace superstep {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
-std::size_t at(std::int64_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 double fourth_power(double x) noexcept {
   return (x * x) * (x * x);

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "core/index.hpp"
+
 namespace superstep {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
-std::size_t at(std::int64_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 constexpr double margin_of_states = 0.01;
 

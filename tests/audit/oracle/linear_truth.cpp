@@ -7,13 +7,10 @@
 
 #include "audit/oracle/dense_network.hpp"
 #include "audit/oracle/pieces.hpp"
+#include "core/index.hpp"
 
 namespace superstep::audit {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// Straight line in extended precision.
 struct LongLine {

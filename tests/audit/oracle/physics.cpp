@@ -4,14 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/index.hpp"
+
 namespace superstep::audit {
 namespace {
 
 using Kind = ConductivityLaw::Kind;
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// Mixture of the conductivities a and b of a branch's ends, and a's share of its Joule heat: the part of the
 /// resistance that lies on a's side, 1/a of 1/a + 1/b.

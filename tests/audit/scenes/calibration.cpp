@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/index.hpp"
+
 namespace superstep::audit {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// K of all nodes; fixed nodes become rows that hold 0.
 Eigen::MatrixXd stiffness(const Graph& graph) {

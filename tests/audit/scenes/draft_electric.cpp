@@ -4,13 +4,10 @@
 #include "audit/scenes/calibration.hpp"
 #include "audit/scenes/draft.hpp"
 #include "audit/scenes/excursion.hpp"
+#include "core/index.hpp"
 
 namespace superstep::audit {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 std::int32_t free_node_of_first_piece(Draft& draft, const Graph& graph) {
   auto node = draft.any_node();

@@ -3,13 +3,10 @@
 
 #include "audit/scenes/draft.hpp"
 #include "audit/scenes/excursion.hpp"
+#include "core/index.hpp"
 
 namespace superstep::audit {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 /// Conductances within `contrast`: spread evenly over its decades, or of two sorts.
 double draw_conductance(Random& random, bool two_sorts, double contrast) {

@@ -3,13 +3,10 @@
 #include "audit/scenes/calibration.hpp"
 #include "audit/scenes/draft.hpp"
 #include "audit/scenes/excursion.hpp"
+#include "core/index.hpp"
 
 namespace superstep::audit {
 namespace {
-
-std::size_t at(std::int32_t k) noexcept {
-  return static_cast<std::size_t>(k);
-}
 
 void draw_start(Draft& draft, double rest, Graph& graph) {
   if (draft.at_rest) {
