@@ -1,6 +1,7 @@
 #pragma once
 /// exp(-t A) by Chebyshev polynomials on [0, rho]: one fused sweep a term, error known beforehand.
 
+#include "integrators/detail/explicit/spectral_radius.hpp"
 #include "integrators/detail/exponential/chebyshev_exponential.hpp"
 #include "integrators/detail/exponential/instant_batch.hpp"
 
@@ -20,6 +21,8 @@ class ChebyshevPropagator final : public InstantBatch, private ChainObserver {
   void add_inflow(std::size_t k, double inflow);
 
   StateVector u_, next_;
+  double radius_ = 0;                                          ///< 1/s
+  double tolerance_ = 0;                                       ///< of one batch, in spans, capacity-weighted
   std::vector<std::vector<double>> coefficients_, integrals_;  ///< one list per output
   // Of the pass under way:
   std::span<Output> outputs_;

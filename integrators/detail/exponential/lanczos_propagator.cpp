@@ -8,161 +8,201 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/exponential/chebyshev_exponential.hpp"
+#include "integrators/detail/exponential/tridiagonal_response.hpp"
 #include "integrators/detail/run_guard.hpp"
 
 namespace superstep {
 namespace {
 
-constexpr std::size_t most_vectors = 20'000;
-constexpr std::size_t first_check = 12;
-constexpr double check_growth = 1.15;
-/// Of the mean capacity to the smallest. Vectors are normed and made orthogonal in the capacity norm:
-/// roundings of 1e-16 there are errors of 1e-16 times the root of this in the values of the smallest nodes.
-constexpr double widest_capacities = 1e16;
+constexpr std::size_t fewest_vectors = 8, most_vectors_ever = 40'000;
+constexpr std::size_t stretch_of_entries = 1024;  // stays in the first cache while vectors are added up
 
 }  // namespace
-
-TridiagonalResponse tridiagonal_response(std::span<const double> alpha, std::span<const double> beta,
-                                         double t, double tolerance) {
-  const std::size_t m = alpha.size();
-  double radius = 0;  // Gershgorin
-  for (std::size_t j = 0; j < m; ++j)
-    radius = std::max(radius, alpha[j] + (j > 0 ? beta[j - 1] : 0) + (j + 1 < m ? beta[j] : 0));
-  TridiagonalResponse out{std::vector<double>(m, 0.0), std::vector<double>(m, 0.0)};
-  if (!(radius > 0)) {
-    out.value[0] = t;
-    out.integral[0] = t * t / 2;
-    return out;
-  }
-  // y' = e_1 - T y from 0: a rate of length 1, and results up to t.
-  const auto c = exponential_coefficients(t * radius / 2, tolerance, {.by_rate = true, .rate = 1});
-  const auto d = integrated_coefficients(c);
-  // The affine Chebyshev recurrence of chebyshev_exponential.hpp on y' = e_1 - T y.
-  std::vector<double> before(m, 0.0), now(m, 0.0);
-  const auto derivative = [&](const std::vector<double>& y, std::size_t j) {
-    return (j == 0 ? 1.0 : 0.0) - alpha[j] * y[j] - (j > 0 ? beta[j - 1] * y[j - 1] : 0) -
-           (j + 1 < m ? beta[j] * y[j + 1] : 0);
-  };
-  now[0] = 2 / radius;
-  for (std::size_t k = 1; k < c.size(); ++k) {
-    for (std::size_t j = 0; j < m; ++j) {
-      out.value[j] += c[k] * now[j];
-      out.integral[j] += 2 / radius * d[k] * now[j];
-    }
-    for (std::size_t j = 0; j < m; ++j) before[j] = 2 * now[j] - before[j] + 4 / radius * derivative(now, j);
-    std::swap(before, now);
-  }
-  return out;
-}
 
 void LanczosPropagator::allocate() {
   if (!rhs().traits().autonomous)
     throw Refused("basis=lanczos is for constant inputs; leave it out where they change in time");
-  const auto capacity = rhs().capacities();
-  double total = 0, smallest = std::numeric_limits<double>::infinity();
-  for (const double c : capacity) {
-    total += c;
-    smallest = std::min(smallest, c);
-  }
-  if (total / static_cast<double>(capacity.size()) > widest_capacities * smallest)
+  const double vector = static_cast<double>(rhs().size() * sizeof(double));
+  const double fit = std::min(memory_ / std::max(vector, 1.0), static_cast<double>(most_vectors_ever));
+  if (fit < fewest_vectors)
     throw Refused(
-        fmt::format("basis=lanczos: the smallest capacity is {:.1e} of the mean, and below {:.0e} its values "
-                    "drown in rounding; use basis=chebyshev",
-                    smallest * static_cast<double>(capacity.size()) / total, 1 / widest_capacities));
-  for (auto* v : {&v_, &previous_, &w_}) v->resize(rhs().size());
+        fmt::format("basis=lanczos: {:.0f} MiB hold {:.0f} vectors, too few; give it more memory, "
+                    "or use basis=chebyshev",
+                    memory_ / 0x1p20, fit));
+  most_vectors_ = static_cast<std::size_t>(fit);
+  start_.resize(rhs().size());
 }
 
-double LanczosPropagator::dot(const std::vector<double>& a, const std::vector<double>& b) const {
-  const auto capacity = rhs().capacities();
-  return rhs().reduction().sum([&](std::size_t i) { return capacity[i] * a[i] * b[i]; });
+void LanczosPropagator::start_over() {
+  open_ = false;
+  offset_ = start_inflow_ = 0;
+  unspent_ = allowed();
+  std::copy(origin().begin(), origin().end(), start_.begin());
 }
 
-void LanczosPropagator::begin_space() {
-  rhs()(now(), origin(), v_);
-  length_ = std::sqrt(dot(v_, v_));
-  if (length_ > 0)
-    for (double& entry : v_) entry /= length_;
-  std::fill(previous_.begin(), previous_.end(), 0.0);
+void LanczosPropagator::open_space() {
+  open_ = true;
+  reported_ = 0;
+  norm_.clear();
+  alpha_.clear();
+  inflow_.clear();
+  bound_ = ResidualBound(stretch() - offset_);
+  if (basis_.empty()) basis_.emplace_back(rhs().size());
+  rhs()(now() + offset_, start_, basis_[0]);
+  norm_.push_back(std::sqrt(dot(basis_[0], basis_[0])));
+  rate_of_inflow_ = plan().track_inflow ? rhs().inflow(now() + offset_, start_) : 0;
 }
 
-bool LanczosPropagator::next_vector(std::size_t j) {
-  const double coupling = j > 0 ? beta_[j - 1] : 0;
-  rhs().linear_stage({.y1 = v_.data(), .a = 0, .d = -1, .y2 = previous_.data(), .b = -coupling}, w_);
-  if (j == alpha_.size()) alpha_.push_back(dot(v_, w_));
-  for_each_entry(w_.size(), [&](std::size_t i) { w_[i] -= alpha_[j] * v_[i]; });
-  if (j == beta_.size()) beta_.push_back(std::sqrt(dot(w_, w_)));
-  if (!(beta_[j] > 1e-14 * radius())) return false;
-  for_each_entry(w_.size(), [&](std::size_t i) { w_[i] /= beta_[j]; });
-  std::swap(previous_, v_);
-  std::swap(v_, w_);
-  return true;
+/// One sweep: v_{j+1} from v_j and v_{j-1}, each times its norm, so that scaling them costs no pass.
+void LanczosPropagator::add_vector() {
+  const std::size_t j = alpha_.size();
+  if (j + 1 == basis_.size()) basis_.emplace_back(rhs().size());
+  StateVector& next = basis_[j + 1];
+  Stage stage{.y1 = basis_[j].data(), .a = 0, .d = -1 / norm_[j]};
+  if (j > 0) stage.y2 = basis_[j - 1].data(), stage.b = -norm_[j] / norm_[j - 1];
+  rhs().linear_stage(stage, next);
+  alpha_.push_back(dot(basis_[j], next) / norm_[j]);
+  const double square =
+      rhs().reduction().sum([w = next.data(), v = basis_[j].data(), c = rhs().capacities().data(),
+                             part = alpha_[j] / norm_[j]](std::size_t i) {
+        w[i] -= part * v[i];
+        return c[i] * w[i] * w[i];
+      });
+  bound_.add_row(alpha_[j], norm_[j]);
+  norm_.push_back(std::sqrt(square));
+  if (plan().track_inflow) inflow_.push_back(rhs().linear_inflow(basis_[j]) / norm_[j]);
 }
 
-double LanczosPropagator::allowed_error() const {
-  const auto capacity = rhs().capacities();
-  const double total = rhs().reduction().sum([&](std::size_t i) { return capacity[i]; });
-  return tolerance() * span() * std::sqrt(total);
+/// Bound of the rms error after `elapsed` in the present space; `rms_of_residual_` for the vector beyond it.
+double LanczosPropagator::error_at(double elapsed) const {
+  const double residual = norm_.front() * norm_.back();  // |f_0| beta
+  if (residual == 0) return 0;
+  return std::exp(std::log(residual) + bound_.log_integral(elapsed)) * rms_of_residual_;
 }
 
-/// The residual of the projected solution u is beta_m |f_0| u_m(s) v_{m+1}. The components of u keep their
-/// signs for all times, so that the integral of |u_m| is that of u_m.
-double LanczosPropagator::precision_of_small_solution(double elapsed) const {
-  constexpr double part = 0.01;
-  return std::clamp(part * allowed_error() / (length_ * elapsed), 1e-18, 1e-3);
+bool LanczosPropagator::covers(double elapsed, double error) const {
+  return error_at(elapsed) <= error;
 }
 
-bool LanczosPropagator::accurate(double elapsed) const {
+/// Longest time that the present space covers: the bound grows with time.
+double LanczosPropagator::time_covered(double longest, double error) const {
+  double low = 0, high = longest;
+  constexpr int bisections = 40;
+  for (int k = 0; k < bisections; ++k) {
+    const double middle = 0.5 * (low + high);
+    (covers(middle, error) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Adds coefficients[k][j] basis_[j] to the state of output k.
+void LanczosPropagator::add_basis(std::span<Output> outputs,
+                                  const std::vector<std::vector<double>>& coefficients) const {
+  const std::size_t n = start_.size(), m = alpha_.size();
+  for_ranges((n + stretch_of_entries - 1) / stretch_of_entries, n, [&](std::size_t from, std::size_t to) {
+    for (std::size_t part = from; part < to; ++part) {
+      const std::size_t first = part * stretch_of_entries, last = std::min(first + stretch_of_entries, n);
+      for (std::size_t j = 0; j < m; j += 4) {
+        const auto vector = [&](std::size_t k) { return basis_[std::min(j + k, m - 1)].data(); };
+        const double *v0 = vector(0), *v1 = vector(1), *v2 = vector(2), *v3 = vector(3);
+        for (std::size_t k = 0; k < outputs.size(); ++k) {
+          if (outputs[k].state.empty()) continue;
+          const auto factor = [&](std::size_t i) { return j + i < m ? coefficients[k][j + i] : 0.0; };
+          const double c0 = factor(0), c1 = factor(1), c2 = factor(2), c3 = factor(3);
+          double* state = outputs[k].state.data();
+          for (std::size_t i = first; i < last; ++i)
+            state[i] += (c0 * v0[i] + c1 * v1[i]) + (c2 * v2[i] + c3 * v3[i]);
+        }
+      }
+    }
+  });
+}
+
+/// States, probes and inflows at instants that the space covers.
+void LanczosPropagator::evaluate(std::span<Output> outputs) {
   const std::size_t m = alpha_.size();
-  const double scale = length_ * beta_.back(), wanted = allowed_error() / scale;
-  const double precision = std::clamp(0.1 * wanted / (elapsed * elapsed), 1e-18, 1e-3);
-  const auto u = tridiagonal_response(alpha_, std::span(beta_).first(m - 1), elapsed, precision);
-  constexpr double safety = 0.5;  // the small solution has errors, too
-  return std::abs(u.integral.back()) <= safety * wanted;
+  std::vector<double> times, beta(norm_.begin() + 1, norm_.end());
+  for (const auto& output : outputs) times.push_back(output.elapsed - offset_);
+  auto responses = tridiagonal_responses(alpha_, beta, times);
+  std::vector<std::vector<double>> coefficients;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    Output& output = outputs[k];
+    output.inflow = start_inflow_ + times[k] * rate_of_inflow_;
+    for (std::size_t j = 0; j < inflow_.size(); ++j)
+      output.inflow += norm_[0] * responses[k].integral[j] * inflow_[j];
+    coefficients.push_back(std::move(responses[k].value));
+    for (std::size_t j = 0; j < m; ++j) coefficients[k][j] *= norm_[0] / norm_[j];
+    for (std::size_t p = 0; p < plan().probes.size(); ++p) {
+      const std::size_t probe = plan().probes[p];
+      output.probes[p] = start_[probe];
+      for (std::size_t j = 0; j < m; ++j) output.probes[p] += coefficients[k][j] * basis_[j][probe];
+    }
+    std::copy_n(start_.begin(), output.state.size(), output.state.begin());
+  }
+  add_basis(outputs, coefficients);
+  // Each product rounds by some epsilons of rho, which then act as the residual does.
+  double sum = 0;
+  for (const double integral : responses.back().integral) sum += std::abs(integral);
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+  const double rounding = roundings * rhs().spectral_bound(now(), start_) * norm_[0] * sum * rms_over_norm();
+  const double reached = error_at(times.back()) + rounding;
+  if (span() > 0 && reached > reported_) add_bound((reached - std::exchange(reported_, reached)) / span());
+}
+
+/// A new space from a time [s since the origin] that this one covers.
+Outcome LanczosPropagator::restart_at(double covered, double error) {
+  if (!(covered > offset_))
+    return {Status::failed, fmt::format("{} Lanczos vectors do not cover any time; give them more memory, or "
+                                        "use basis=chebyshev",
+                                        alpha_.size())};
+  StateVector state(start_.size());
+  Output end{.elapsed = covered, .state = state, .probes = std::vector<double>(plan().probes.size())};
+  evaluate({&end, 1});
+  unspent_ -= error;
+  start_ = std::move(state);
+  offset_ = covered;
+  start_inflow_ = end.inflow;
+  open_ = false;
+  return {};
+}
+
+/// Adds vectors until the space covers `elapsed`, is exhausted, or is as large as it may be.
+Outcome LanczosPropagator::grow(double elapsed) {
+  rms_of_residual_ = rms_over_norm();
+  while (!covers(elapsed, unspent_) && norm_.back() > 0 && alpha_.size() < most_vectors_) {
+    if (stop_requested()) return interrupted_at(now() + offset_);
+    add_vector();
+    if (covers(elapsed, unspent_)) break;
+    // The largest value of v_{m+1} is at least 1/|1|: worth a pass where that would do.
+    rms_of_residual_ = 1 / norm_of_one();
+    const bool worth_a_pass = covers(elapsed, unspent_);
+    rms_of_residual_ = rms_over_norm();
+    if (!worth_a_pass) continue;
+    const double largest =
+        rhs().reduction().max([v = basis_[alpha_.size()].data()](std::size_t i) { return std::abs(v[i]); });
+    rms_of_residual_ = std::min(rms_of_residual_, largest / norm_.back());
+  }
+  count_terms(alpha_.size());
+  return stop_requested() ? interrupted_at(now() + offset_) : Outcome{};
 }
 
 Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
-  if (radius() == 0) return no_exchange(outputs);
-  alpha_.clear();
-  beta_.clear();
-  begin_space();
-  double check_at = first_check;
-  for (bool more = length_ > 0; more;) {
-    more = next_vector(alpha_.size());
-    if (more && static_cast<double>(alpha_.size()) >= check_at) {
-      check_at *= check_growth;
-      more = !accurate(outputs.back().elapsed);
-    }
-    if (stop_requested()) return interrupted_at(now());
-    if (alpha_.size() >= most_vectors)
-      return {Status::failed,
-              fmt::format("Lanczos did not reach the tolerance in {} products; use basis=chebyshev",
-                          most_vectors)};
+  if (rhs().spectral_bound(now(), origin()) == 0) return no_exchange(outputs);
+  while (true) {
+    if (!open_) open_space();
+    const double remaining = outputs.back().elapsed - offset_;
+    if (Outcome outcome = grow(remaining); !outcome.ok()) return outcome;
+    if (covers(remaining, unspent_)) break;
+    // A space that is not the last one leaves half of what may still be spent to those that follow.
+    const double error = 0.5 * unspent_, covered = offset_ + time_covered(remaining, error);
+    const auto end = std::find_if(outputs.begin(), outputs.end(),
+                                  [&](const Output& output) { return output.elapsed > covered; });
+    const auto done = static_cast<std::size_t>(end - outputs.begin());
+    if (done > 0) evaluate(outputs.first(done));
+    outputs = outputs.subspan(done);
+    if (Outcome outcome = restart_at(covered, error); !outcome.ok()) return outcome;
   }
-  const std::size_t m = alpha_.size();
-  std::vector<TridiagonalResponse> responses;
-  const double inflow = rhs().inflow(now(), origin());
-  for (auto& output : outputs) {
-    if (m > 0)
-      responses.push_back(tridiagonal_response(alpha_, std::span(beta_).first(m - 1), output.elapsed,
-                                               precision_of_small_solution(output.elapsed)));
-    std::copy_n(origin().begin(), output.state.size(), output.state.begin());
-    for (std::size_t p = 0; p < plan().probes.size(); ++p) output.probes[p] = origin()[plan().probes[p]];
-    output.inflow = plan().track_inflow ? output.elapsed * inflow : 0;
-  }
-  begin_space();
-  for (std::size_t j = 0; j < m; ++j) {
-    const double inflow_change = plan().track_inflow ? rhs().linear_inflow(v_) : 0;
-    for (std::size_t k = 0; k < outputs.size(); ++k) {
-      const double factor = length_ * responses[k].value[j];
-      for (std::size_t p = 0; p < plan().probes.size(); ++p)
-        outputs[k].probes[p] += factor * v_[plan().probes[p]];
-      for_each_entry(outputs[k].state.size(), [&](std::size_t i) { outputs[k].state[i] += factor * v_[i]; });
-      if (plan().track_inflow) outputs[k].inflow += length_ * responses[k].integral[j] * inflow_change;
-    }
-    if (j + 1 < m) next_vector(j);
-  }
-  count_terms(2 * m);
+  evaluate(outputs);
   return {};
 }
 
