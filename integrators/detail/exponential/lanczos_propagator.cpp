@@ -31,12 +31,14 @@ void LanczosPropagator::allocate() {
                     memory_ / 0x1p20, fit));
   most_vectors_ = static_cast<std::size_t>(fit);
   start_.resize(rhs().size());
+  basis_ = VectorStore(rhs().size());
 }
 
 void LanczosPropagator::start_over() {
   open_ = false;
   offset_ = start_inflow_ = 0;
   unspent_ = allowed();
+  covered_ = false;
   std::copy(origin().begin(), origin().end(), start_.begin());
 }
 
@@ -47,50 +49,72 @@ void LanczosPropagator::open_space() {
   alpha_.clear();
   inflow_.clear();
   bound_ = ResidualBound(stretch() - offset_);
-  if (basis_.empty()) basis_.emplace_back(rhs().size());
-  rhs()(now() + offset_, start_, basis_[0]);
-  norm_.push_back(std::sqrt(dot(basis_[0], basis_[0])));
+  const auto rate = basis_.at(0);
+  rhs()(now() + offset_, start_, rate);
+  norm_.push_back(std::sqrt(dot(rate, rate)));
   rate_of_inflow_ = plan().track_inflow ? rhs().inflow(now() + offset_, start_) : 0;
 }
 
 /// One sweep: v_{j+1} from v_j and v_{j-1}, each times its norm, so that scaling them costs no pass.
 void LanczosPropagator::add_vector() {
   const std::size_t j = alpha_.size();
-  if (j + 1 == basis_.size()) basis_.emplace_back(rhs().size());
-  StateVector& next = basis_[j + 1];
-  Stage stage{.y1 = basis_[j].data(), .a = 0, .d = -1 / norm_[j]};
-  if (j > 0) stage.y2 = basis_[j - 1].data(), stage.b = -norm_[j] / norm_[j - 1];
+  const std::span<double> next = basis_.at(j + 1);
+  const double* now = basis_[j];
+  Stage stage{.y1 = now, .a = 0, .d = -1 / norm_[j]};
+  if (j > 0) stage.y2 = basis_[j - 1], stage.b = -norm_[j] / norm_[j - 1];
   rhs().linear_stage(stage, next);
-  alpha_.push_back(dot(basis_[j], next) / norm_[j]);
-  const double square =
-      rhs().reduction().sum([w = next.data(), v = basis_[j].data(), c = rhs().capacities().data(),
-                             part = alpha_[j] / norm_[j]](std::size_t i) {
+  alpha_.push_back(dot({now, next.size()}, next) / norm_[j]);
+  const double square = rhs().reduction().sum(
+      [w = next.data(), v = now, c = rhs().capacities().data(), part = alpha_[j] / norm_[j]](std::size_t i) {
         w[i] -= part * v[i];
         return c[i] * w[i] * w[i];
       });
   bound_.add_row(alpha_[j], norm_[j]);
   norm_.push_back(std::sqrt(square));
-  if (plan().track_inflow) inflow_.push_back(rhs().linear_inflow(basis_[j]) / norm_[j]);
+  if (plan().track_inflow) inflow_.push_back(rhs().linear_inflow({now, next.size()}) / norm_[j]);
 }
 
-/// Bound of the rms error after `elapsed` in the present space; `rms_of_residual_` for the vector beyond it.
-double LanczosPropagator::error_at(double elapsed) const {
+/// Rigorous: the integral of the residual.
+double LanczosPropagator::bound_at(double elapsed) const {
   const double residual = norm_.front() * norm_.back();  // |f_0| beta
-  if (residual == 0) return 0;
-  return std::exp(std::log(residual) + bound_.log_integral(elapsed)) * rms_of_residual_;
+  return residual > 0 ? std::exp(std::log(residual) + bound_.log_integral(elapsed)) * rms_over_norm() : 0;
 }
 
-bool LanczosPropagator::covers(double elapsed, double error) const {
-  return error_at(elapsed) <= error;
+/// The bound takes what the residual leaves for undamped, and where it oscillates from node to node it is a
+/// hundred times too large. Where the recurrence has become regular, as it does in networks without stiff
+/// parts, it is continued by its own mirror image, and what that changes is the error; else the bound stands.
+double LanczosPropagator::estimate_at(double elapsed) const {
+  constexpr double regular = 4, safety = 3;
+  const std::size_t m = alpha_.size(), half = m / 2;
+  const std::span<const double> alpha = alpha_, beta = std::span(norm_).subspan(1);  // beta[j] leads beyond j
+  const auto within = [&](std::span<const double> part) {
+    const auto [low, high] = std::minmax_element(part.begin(), part.end());
+    return *high <= regular * *low;
+  };
+  if (half == 0 || !within(alpha.subspan(half)) || !within(beta.subspan(half))) return bound_at(elapsed);
+  std::vector<double> diagonal(alpha.begin(), alpha.end()), off(beta.begin(), beta.end());
+  for (std::size_t j = m; j-- > half;) {
+    diagonal.push_back(alpha[j]);
+    if (j > half) off.push_back(beta[j - 1]);
+  }
+  const double time[] = {elapsed};
+  const auto now = tridiagonal_responses(alpha, beta.first(m - 1), time).front().value;
+  const auto later = tridiagonal_responses(diagonal, off, time).front().value;
+  double square = 0;
+  for (std::size_t j = 0; j < later.size(); ++j) {
+    const double change = later[j] - (j < m ? now[j] : 0.0);
+    square += change * change;
+  }
+  return std::min(bound_at(elapsed), safety * norm_.front() * std::sqrt(square) * rms_over_norm());
 }
 
-/// Longest time that the present space covers: the bound grows with time.
+/// Longest time that the present space covers.
 double LanczosPropagator::time_covered(double longest, double error) const {
   double low = 0, high = longest;
-  constexpr int bisections = 40;
+  constexpr int bisections = 12;
   for (int k = 0; k < bisections; ++k) {
     const double middle = 0.5 * (low + high);
-    (covers(middle, error) ? low : high) = middle;
+    (estimate_at(middle) <= error ? low : high) = middle;
   }
   return low;
 }
@@ -99,16 +123,19 @@ double LanczosPropagator::time_covered(double longest, double error) const {
 void LanczosPropagator::add_basis(std::span<Output> outputs,
                                   const std::vector<std::vector<double>>& coefficients) const {
   const std::size_t n = start_.size(), m = alpha_.size();
+  const auto factor_of = [&](std::size_t k, std::size_t j) {
+    return j < coefficients[k].size() ? coefficients[k][j] : 0.0;
+  };
   for_ranges((n + stretch_of_entries - 1) / stretch_of_entries, n, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {
       const std::size_t first = part * stretch_of_entries, last = std::min(first + stretch_of_entries, n);
       for (std::size_t j = 0; j < m; j += 4) {
-        const auto vector = [&](std::size_t k) { return basis_[std::min(j + k, m - 1)].data(); };
+        const auto vector = [&](std::size_t k) { return basis_[std::min(j + k, m - 1)]; };
         const double *v0 = vector(0), *v1 = vector(1), *v2 = vector(2), *v3 = vector(3);
         for (std::size_t k = 0; k < outputs.size(); ++k) {
-          if (outputs[k].state.empty()) continue;
-          const auto factor = [&](std::size_t i) { return j + i < m ? coefficients[k][j + i] : 0.0; };
-          const double c0 = factor(0), c1 = factor(1), c2 = factor(2), c3 = factor(3);
+          if (outputs[k].state.empty() || j >= coefficients[k].size()) continue;
+          const double c0 = factor_of(k, j), c1 = factor_of(k, j + 1);
+          const double c2 = factor_of(k, j + 2), c3 = factor_of(k, j + 3);
           double* state = outputs[k].state.data();
           for (std::size_t i = first; i < last; ++i)
             state[i] += (c0 * v0[i] + c1 * v1[i]) + (c2 * v2[i] + c3 * v3[i]);
@@ -116,6 +143,19 @@ void LanczosPropagator::add_basis(std::span<Output> outputs,
       }
     }
   });
+}
+
+/// Coefficients of unit vectors without those at the end that add less than a thousandth of the tolerance:
+/// early instants need fewer vectors than the last one.
+std::vector<double> LanczosPropagator::significant(std::vector<double> coefficients) const {
+  constexpr double insignificant = 1e-3;
+  double square = 0;
+  while (!coefficients.empty()) {
+    square += coefficients.back() * coefficients.back();
+    if (norm_[0] * std::sqrt(square) * rms_over_norm() > insignificant * allowed()) break;
+    coefficients.pop_back();
+  }
+  return coefficients;
 }
 
 /// States, probes and inflows at instants that the space covers.
@@ -130,12 +170,13 @@ void LanczosPropagator::evaluate(std::span<Output> outputs) {
     output.inflow = start_inflow_ + times[k] * rate_of_inflow_;
     for (std::size_t j = 0; j < inflow_.size(); ++j)
       output.inflow += norm_[0] * responses[k].integral[j] * inflow_[j];
-    coefficients.push_back(std::move(responses[k].value));
-    for (std::size_t j = 0; j < m; ++j) coefficients[k][j] *= norm_[0] / norm_[j];
+    coefficients.push_back(significant(std::move(responses[k].value)));
+    for (std::size_t j = 0; j < coefficients[k].size(); ++j) coefficients[k][j] *= norm_[0] / norm_[j];
     for (std::size_t p = 0; p < plan().probes.size(); ++p) {
       const std::size_t probe = plan().probes[p];
       output.probes[p] = start_[probe];
-      for (std::size_t j = 0; j < m; ++j) output.probes[p] += coefficients[k][j] * basis_[j][probe];
+      for (std::size_t j = 0; j < coefficients[k].size(); ++j)
+        output.probes[p] += coefficients[k][j] * basis_[j][probe];
     }
     std::copy_n(start_.begin(), output.state.size(), output.state.begin());
   }
@@ -145,8 +186,9 @@ void LanczosPropagator::evaluate(std::span<Output> outputs) {
   for (const double integral : responses.back().integral) sum += std::abs(integral);
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
   const double rounding = roundings * rhs().spectral_bound(now(), start_) * norm_[0] * sum * rms_over_norm();
-  const double reached = error_at(times.back()) + rounding;
-  if (span() > 0 && reached > reported_) add_bound((reached - std::exchange(reported_, reached)) / span());
+  const double reached = bound_at(times.back()) + rounding;
+  if (!(reached < span())) return give_up_bound();
+  if (reached > reported_) add_bound((reached - std::exchange(reported_, reached)) / span());
 }
 
 /// A new space from a time [s since the origin] that this one covers.
@@ -168,19 +210,22 @@ Outcome LanczosPropagator::restart_at(double covered, double error) {
 
 /// Adds vectors until the space covers `elapsed`, is exhausted, or is as large as it may be.
 Outcome LanczosPropagator::grow(double elapsed) {
-  rms_of_residual_ = rms_over_norm();
-  while (!covers(elapsed, unspent_) && norm_.back() > 0 && alpha_.size() < most_vectors_) {
+  constexpr double first_look = 5e3;  // times the tolerance: how much the bound may be too large
+  double looseness = first_look;      // bound over estimate, as last seen
+  covered_ = false;
+  while (true) {
+    const double bound = bound_at(elapsed);
+    if (bound <= unspent_) covered_ = true;
+    if (!covered_ && bound <= looseness * unspent_) {
+      const double estimate = estimate_at(elapsed);
+      covered_ = estimate <= unspent_;
+      // The next look is where both will have fallen enough; soon, where the bound stood for the estimate.
+      const double soon = 0.5 * bound / unspent_;
+      looseness = estimate < bound ? std::min(bound / estimate, soon) : soon;
+    }
+    if (covered_ || norm_.back() == 0 || alpha_.size() == most_vectors_) break;
     if (stop_requested()) return interrupted_at(now() + offset_);
     add_vector();
-    if (covers(elapsed, unspent_)) break;
-    // The largest value of v_{m+1} is at least 1/|1|: worth a pass where that would do.
-    rms_of_residual_ = 1 / norm_of_one();
-    const bool worth_a_pass = covers(elapsed, unspent_);
-    rms_of_residual_ = rms_over_norm();
-    if (!worth_a_pass) continue;
-    const double largest =
-        rhs().reduction().max([v = basis_[alpha_.size()].data()](std::size_t i) { return std::abs(v[i]); });
-    rms_of_residual_ = std::min(rms_of_residual_, largest / norm_.back());
   }
   count_terms(alpha_.size());
   return stop_requested() ? interrupted_at(now() + offset_) : Outcome{};
@@ -192,7 +237,7 @@ Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
     if (!open_) open_space();
     const double remaining = outputs.back().elapsed - offset_;
     if (Outcome outcome = grow(remaining); !outcome.ok()) return outcome;
-    if (covers(remaining, unspent_)) break;
+    if (covered_) break;
     // A space that is not the last one leaves half of what may still be spent to those that follow.
     const double error = 0.5 * unspent_, covered = offset_ + time_covered(remaining, error);
     const auto end = std::find_if(outputs.begin(), outputs.end(),

@@ -4,13 +4,15 @@
 ///   y(t) = y_0 + |f_0| V u(t),   u' = e_1 - T u,   A V = V T + beta v_{m+1} e_m^T
 ///
 /// One pass: the basis V is kept, and every output, probe and inflow of a stretch comes out of it. What u
-/// leaves of the equation is -|f_0| beta u_m(s) v_{m+1}. A network contracts in the capacity norm and in the
-/// largest value alike, so that the integral of this residual bounds the error, orthogonal or not: see
-/// residual_bound.hpp. Where the basis outgrows its memory the time that it does cover is taken and a new one
-/// begins there. Source: Hochbruck & Lubich (1997), doi:10.1137/S0036142995280572.
+/// leaves of the equation is -|f_0| beta u_m(s) v_{m+1}. A network contracts in the capacity norm, so that
+/// the integral of this residual bounds the error, orthogonal or not: see residual_bound.hpp. It is what a
+/// run reports; it stops earlier, by an estimate of what the network's damping leaves of the error. Where the
+/// basis outgrows its memory the time that it does cover is taken and a new one begins there. Source:
+/// Hochbruck & Lubich (1997), doi:10.1137/S0036142995280572.
 
 #include "integrators/detail/exponential/instant_batch.hpp"
 #include "integrators/detail/exponential/residual_bound.hpp"
+#include "integrators/detail/exponential/vector_store.hpp"
 
 namespace superstep {
 
@@ -29,9 +31,11 @@ class LanczosPropagator final : public InstantBatch {
   /// A space of dimension 0 from `start_` at `offset_`.
   void open_space();
   void add_vector();
-  [[nodiscard]] bool covers(double elapsed, double error) const;
+  /// rms error after `elapsed` in the present space [K or V]: an upper bound, and what it will be.
+  [[nodiscard]] double bound_at(double elapsed) const;
+  [[nodiscard]] double estimate_at(double elapsed) const;
   [[nodiscard]] double time_covered(double longest, double error) const;
-  [[nodiscard]] double error_at(double elapsed) const;
+  [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients) const;
   void evaluate(std::span<Output> outputs);
   void add_basis(std::span<Output> outputs, const std::vector<std::vector<double>>& coefficients) const;
   [[nodiscard]] Outcome grow(double elapsed);
@@ -39,19 +43,18 @@ class LanczosPropagator final : public InstantBatch {
 
   double memory_;
   std::size_t most_vectors_ = 0;
-  std::vector<StateVector> basis_;  ///< v_j times `norm_[j]`; those beyond the present dimension are room
-  std::vector<double> norm_;        ///< [dimension + 1]; norm_[j] couples j-1 to j
-  std::vector<double> alpha_;       ///< [dimension] diagonal of T
-  std::vector<double> inflow_;      ///< [dimension] of v_j, when tracked
+  VectorStore basis_;           ///< v_j times `norm_[j]`
+  std::vector<double> norm_;    ///< [dimension + 1]; norm_[j] couples j-1 to j
+  std::vector<double> alpha_;   ///< [dimension] diagonal of T
+  std::vector<double> inflow_;  ///< [dimension] of v_j, when tracked
   ResidualBound bound_;
-  StateVector start_;           ///< state from which the present space starts
-  double offset_ = 0;           ///< its time since the origin [s]
-  double start_inflow_ = 0;     ///< since the origin [J or C]
-  double rate_of_inflow_ = 0;   ///< at the start of the space
-  double reported_ = 0;         ///< of its error, as a bound [K or V]
-  double unspent_ = 0;          ///< of the allowed error [K or V]
-  double rms_of_residual_ = 1;  ///< bound of what v_{m+1} can grow to anywhere, rms
-  bool open_ = false;
+  StateVector start_;          ///< state from which the present space starts
+  double offset_ = 0;          ///< its time since the origin [s]
+  double start_inflow_ = 0;    ///< since the origin [J or C]
+  double rate_of_inflow_ = 0;  ///< at the start of the space
+  double reported_ = 0;        ///< of its error, as a bound [K or V]
+  double unspent_ = 0;         ///< of the allowed error [K or V]
+  bool open_ = false, covered_ = false;
 };
 
 }  // namespace superstep
