@@ -160,7 +160,6 @@ std::vector<double> LanczosPropagator::significant(std::vector<double> coefficie
 
 /// States, probes and inflows at instants that the space covers.
 void LanczosPropagator::evaluate(std::span<Output> outputs) {
-  const std::size_t m = alpha_.size();
   std::vector<double> times, beta(norm_.begin() + 1, norm_.end());
   for (const auto& output : outputs) times.push_back(output.elapsed - offset_);
   auto responses = tridiagonal_responses(alpha_, beta, times);
