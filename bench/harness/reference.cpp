@@ -23,7 +23,7 @@ namespace {
 
 // Raised when the same scene and SPEC give other numbers than before, or the meaning of the cached numbers
 // changes.
-constexpr int reference_code_version = 5;
+constexpr int reference_code_version = 6;
 
 /// Empty for a scene without a hash: nothing names what its answer depends on. Networks are added
 /// for the sake of generated packings, which differ between compilers.
@@ -146,12 +146,16 @@ class ReferenceSearch {
     run.inflow = result.statistics.inflow;
     run.bounded = result.statistics.error_bound > 0;
     for (std::size_t f = 0; f < reference_.spans.size(); ++f) {
-      const FieldScene& field = scene_field(scene_, scene_.rhs->fields()[f].name);
-      const double magnitude = std::max(std::abs(field.low), std::abs(field.high)) + reference_.spans[f];
-      run.bound.push_back(result.statistics.error_bound * reference_.spans[f] +
-                          roundings * std::numeric_limits<double>::epsilon() * magnitude);
+      const double bound = result.statistics.error_bound, stored = bound > 0 ? 1 : roundings;
+      run.bound.push_back(bound * reference_.spans[f] +
+                          stored * std::numeric_limits<double>::epsilon() * largest_value(f));
     }
     return run;
+  }
+
+  [[nodiscard]] double largest_value(std::size_t f) const {
+    const FieldScene& field = scene_field(scene_, scene_.rhs->fields()[f].name);
+    return std::max(std::abs(field.low), std::abs(field.high)) + reference_.spans[f];
   }
 
   void set_error_bar(const Run& truth, const Run& check, std::vector<std::string>& warnings) {
@@ -161,7 +165,9 @@ class ReferenceSearch {
       double distance = 0;
       for (std::size_t k = 0; k < truth.states.size(); ++k)
         distance = std::max(distance, deviation(fields[f], check.states[k], truth.states[k]).rms);
-      const double tolerance = make_method(pair_.check)->rtol() * reference_.spans[f];
+      // A method's own tolerance, or where that is more, a hundred roundings of the values.
+      const double tolerance = std::max(make_method(pair_.check)->rtol() * reference_.spans[f],
+                                        100 * std::numeric_limits<double>::epsilon() * largest_value(f));
       constexpr double proportional = 10;  // times its tolerance, which is what any method may miss by
       if (pair_.certified && distance <= proportional * tolerance + truth.bound[f]) {
         reference_.error_bar.push_back(truth.bound[f]);
@@ -178,7 +184,7 @@ class ReferenceSearch {
     }
   }
 
-  static constexpr double roundings = 10;
+  static constexpr double roundings = 10;  // of values, where a run has no bound that counts its own
 
   const Scene& scene_;
   const ProbeSet& probes_;

@@ -19,8 +19,7 @@ struct SpanTally {
 
 }  // namespace
 
-std::vector<SpanPair> compare_spans(const StatedScene& stated) {
-  const Truth truth = find_truth(stated);
+std::vector<SpanPair> compare_spans(const StatedScene& stated, const Truth& truth) {
   const Scene scene = build_scene(stated);
   const Spans found = scene_spans(scene, nullptr);
   std::vector<SpanPair> pairs;
@@ -36,8 +35,10 @@ void print_span_audit(std::ostream& out, const SeedRange& seeds, const SceneWish
   std::map<std::string, SpanTally> tallies;
   for (auto seed = seeds.first; seed < seeds.last; ++seed) {
     const auto stated = state_scene(seed, wishes);
+    const auto truth = truth_or_reason(seed, stated, out);
+    if (!truth) continue;
     auto& tally = tallies[stated.kind];
-    for (const auto& pair : compare_spans(stated)) {
+    for (const auto& pair : compare_spans(stated, *truth)) {
       ++tally.fields;
       if (pair.pilot) ++tally.by_pilot;
       double deviation = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <ostream>
 
@@ -14,6 +15,8 @@ namespace superstep::audit {
 namespace {
 
 constexpr double celsius_to_kelvin = 273.15;
+// Bars that references aim at, over the span, and below which roundings of the values decide.
+constexpr double aim_for_linear_scenes = 1e-10, aim_for_others = 1e-8, roundings = 100;
 
 /// How one method at one tolerance took the shift.
 struct ShiftTally {
@@ -23,7 +26,7 @@ struct ShiftTally {
 };
 
 struct ReferenceTally {
-  std::size_t scenes = 0, missing = 0, without_bar = 0, uncovered = 0;
+  std::size_t scenes = 0, missing = 0, without_bar = 0, uncovered = 0, narrow = 0;
   std::vector<double> bars, errors;  ///< over the span
 };
 
@@ -56,6 +59,15 @@ std::string percent(std::size_t part, std::size_t whole) {
 
 }  // namespace
 
+std::optional<Truth> truth_or_reason(std::uint64_t seed, const StatedScene& stated, std::ostream& out) {
+  try {
+    return find_truth(stated);
+  } catch (const std::exception& error) {
+    out << fmt::format("seed {} {}: not judged: {}\n", seed, stated.kind, error.what());
+    return std::nullopt;
+  }
+}
+
 void print_shift_audit(std::ostream& out, const SeedRange& seeds, const SceneWishes& wishes,
                        const std::vector<Contender>& methods, const std::vector<double>& rtols,
                        const AuditSettings& settings, TimeLimit& limit, bool list) {
@@ -64,7 +76,9 @@ void print_shift_audit(std::ostream& out, const SeedRange& seeds, const SceneWis
     const auto stated = state_scene(seed, wishes);
     if (!may_be_shifted(stated)) continue;
     const auto moved = shifted(stated, celsius_to_kelvin);
-    const Truth truth = find_truth(stated), moved_truth = find_truth(moved);
+    const auto found = truth_or_reason(seed, stated, out), found_moved = truth_or_reason(seed, moved, out);
+    if (!found || !found_moved) continue;
+    const Truth &truth = *found, &moved_truth = *found_moved;
     const Scene scene = build_scene(stated), moved_scene = build_scene(moved);
     for (const auto& method : methods)
       for (const double rtol : rtols) {
@@ -98,7 +112,9 @@ void print_reference_audit(std::ostream& out, const SeedRange& seeds, const Scen
   std::map<std::string, ReferenceTally> tallies;
   for (auto seed = seeds.first; seed < seeds.last; ++seed) {
     const auto stated = state_scene(seed, wishes);
-    const Truth truth = find_truth(stated);
+    const auto found = truth_or_reason(seed, stated, out);
+    if (!found) continue;
+    const Truth& truth = *found;
     const Scene scene = build_scene(stated);
     auto& tally = tallies[stated.kind];
     ++tally.scenes;
@@ -113,12 +129,15 @@ void print_reference_audit(std::ostream& out, const SeedRange& seeds, const Scen
         out << fmt::format("seed {} {}: no reference: {}\n", seed, stated.kind, result.outcome.reason);
       continue;
     }
+    if (list)
+      for (const auto& warning : result.warnings)
+        out << fmt::format("seed {} {}: {}\n", seed, stated.kind, warning);
     const auto errors = errors_of(scene, truth, result.reference->states);
     if (result.reference->error_bar.empty()) {
       ++tally.without_bar;
       continue;
     }
-    double bar = 0, error = 0;
+    double bar = 0, error = 0, largest = 0;
     bool covered = true;
     for (std::size_t f = 0; f < truth.fields.size(); ++f) {
       const auto view = scene.fields[f].view;
@@ -127,24 +146,34 @@ void print_reference_audit(std::ostream& out, const SeedRange& seeds, const Scen
       const double own = result.reference->error_bar[static_cast<std::size_t>(view)];
       bar = std::max(bar, own / span);
       error = std::max(error, errors[f] / span);
+      largest =
+          std::max(largest, std::max(std::abs(truth.fields[f].low), std::abs(truth.fields[f].high)) / span);
       covered = covered && errors[f] <= own + truth.fields[f].error;
     }
     if (!covered) ++tally.uncovered;
     if (!covered && list)
       out << fmt::format("seed {} {} t*lambda={:.2g}: error {:.2g} of the span above the bar {:.2g}\n", seed,
                          stated.kind, stated.t_lambda, error, bar);
+    const double aim = std::max(scene.rhs->traits().linear ? aim_for_linear_scenes : aim_for_others,
+                                roundings * std::numeric_limits<double>::epsilon() * largest);
+    if (bar <= aim) ++tally.narrow;
+    if (bar > aim && list)
+      out << fmt::format(
+          "seed {} {} t*lambda={:.2g}: bar {:.2g} of the span, error {:.2g}, values to {:.2g} spans\n", seed,
+          stated.kind, stated.t_lambda, bar, error, largest);
     tally.bars.push_back(bar);
     tally.errors.push_back(error);
   }
-  out << fmt::format("{:<21} {:>6} {:>8} {:>7} {:>10} {:>11} {:>11} {:>11} {:>11}\n", "class", "scenes",
-                     "missing", "no bar", "uncovered", "bar median", "bar 95 %", "worst bar", "worst error");
+  out << fmt::format("{:<21} {:>6} {:>8} {:>7} {:>10} {:>8} {:>11} {:>11} {:>11} {:>11}\n", "class", "scenes",
+                     "missing", "no bar", "uncovered", "narrow", "bar median", "bar 95 %", "worst bar",
+                     "worst error");
   for (auto& [kind, tally] : tallies) {
     std::sort(tally.bars.begin(), tally.bars.end());
     std::sort(tally.errors.begin(), tally.errors.end());
-    out << fmt::format("{:<21} {:>6} {:>8} {:>7} {:>10} {:>11.2g} {:>11.2g} {:>11.2g} {:>11.2g}\n", kind,
-                       tally.scenes, tally.missing, tally.without_bar, tally.uncovered,
-                       quantile(tally.bars, 0.5), quantile(tally.bars, 0.95), quantile(tally.bars, 1),
-                       quantile(tally.errors, 1));
+    out << fmt::format("{:<21} {:>6} {:>8} {:>7} {:>10} {:>8} {:>11.2g} {:>11.2g} {:>11.2g} {:>11.2g}\n",
+                       kind, tally.scenes, tally.missing, tally.without_bar, tally.uncovered,
+                       percent(tally.narrow, tally.bars.size()), quantile(tally.bars, 0.5),
+                       quantile(tally.bars, 0.95), quantile(tally.bars, 1), quantile(tally.errors, 1));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 
 #include "audit/audit.hpp"
 
@@ -11,6 +12,10 @@ namespace superstep::audit {
 struct SeedRange {
   std::uint64_t first = 1, last = 2;  ///< first to last - 1
 };
+
+/// The oracle's solution; where it has none a line says why.
+[[nodiscard]] std::optional<Truth> truth_or_reason(std::uint64_t seed, const StatedScene& stated,
+                                                   std::ostream& out);
 
 /// Does a method deliver the same when every temperature is 273.15 higher? Scenes without laws and radiation.
 void print_shift_audit(std::ostream& out, const SeedRange& seeds, const SceneWishes& wishes,
@@ -27,7 +32,7 @@ struct SpanPair {
   bool pilot = false;
   std::string how;
 };
-[[nodiscard]] std::vector<SpanPair> compare_spans(const StatedScene& stated);
+[[nodiscard]] std::vector<SpanPair> compare_spans(const StatedScene& stated, const Truth& truth);
 void print_span_audit(std::ostream& out, const SeedRange& seeds, const SceneWishes& wishes, bool list);
 
 }  // namespace superstep::audit

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "integrators/detail/exponential/chebyshev_exponential.hpp"
@@ -89,6 +91,42 @@ TEST(Exponential, ManyOutputsCostLittleMoreThanTheLast) {
   }());
   EXPECT_LT(max_difference(twenty.states.back(), one.states.back()),
             1e-7);  // three batches, each to its tolerance
+}
+
+/// Offsets cost no digits but those that storing the values costs: a network around 0 and the same one 2^20
+/// higher, with sources, a ramp that turns and a transient of many terms. Roundings of every term would leave
+/// six digits certain.
+TEST(Exponential, KeepsItsDigitsWhereValuesAreLargeAgainstTheirSpan) {
+  constexpr double offset = 1 << 20;
+  Graph high = random_graph({.nodes = 60, .seed = 5, .contrast = 1e4, .fixed = 2, .sources = true});
+  Graph low = high;
+  for (std::size_t k = 0; k < high.nodes(); ++k) {
+    high.initial[k] += offset;
+    high.fixed_value[k] += offset;
+    low.initial[k] = high.initial[k] - offset;  // exactly
+    low.fixed_value[k] = high.fixed_value[k] - offset;
+  }
+  const auto held =
+      static_cast<std::size_t>(std::find(low.is_fixed.begin(), low.is_fixed.end(), 1) - low.is_fixed.begin());
+  for (Graph* graph : {&low, &high}) {
+    const double base = graph == &high ? offset : 0;
+    graph->tables.push_back(TimeTable{.time = {0, 2, 5}, .value = {base, base + 1, base - 0.5}});
+    graph->fixed_table.assign(graph->nodes(), -1);
+    graph->fixed_table[held] = 0;
+  }
+  Problem around_zero(low), far_from_zero(high);
+  const std::vector<double> times{0.5, 2, 4};
+  const auto expected = run("exponential:basis=chebyshev,rtol=1e-14", around_zero, times);
+  const auto result = run("exponential:basis=chebyshev,rtol=1e-14", far_from_zero, times);
+  ASSERT_TRUE(expected.outcome.ok() && result.outcome.ok());
+  ASSERT_GT(result.sweeps, 1000u);
+  constexpr double stored = offset * std::numeric_limits<double>::epsilon();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    std::vector<double> moved = result.states[k];
+    for (double& value : moved) value -= offset;
+    EXPECT_LT(max_difference(moved, expected.states[k]), 4 * stored) << times[k];
+  }
+  EXPECT_LT(result.statistics.error_bound, 20 * stored);  // in spans, and those are above 1/2
 }
 
 TEST(Exponential, ProbesNeedNoStates) {

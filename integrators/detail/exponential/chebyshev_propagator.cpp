@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "integrators/detail/run_guard.hpp"
 
 namespace superstep {
@@ -23,12 +24,9 @@ void ChebyshevPropagator::allocate() {
   SpectralRadius radius;
   radius.prepare(rhs(), {});
   radius_ = radius.at(0, u_);
-  // Truncation is bounded in the capacity-weighted norm. Where inputs drive small capacities its error may
-  // lie in them alone; transients from a state spread it.
-  const auto& facts = rhs().facts().fields.front();
-  const bool driven = facts.has_sources || !facts.ambient.empty() || !rhs().traits().autonomous;
-  const double norm = driven ? rms_over_weighted() : std::sqrt(rms_over_weighted());
-  tolerance_ = (span() > 0 ? allowed() / span() : rtol()) / norm;
+  // Truncation is bounded in the capacity-weighted norm, and its error may lie in the smallest capacities
+  // alone. Roundings are no reason to truncate earlier: that would save a term or two.
+  tolerance_ = part_allowed() / rms_over_weighted();
 }
 
 void ChebyshevPropagator::add_inflow(std::size_t k, double inflow) {
@@ -82,21 +80,64 @@ Outcome ChebyshevPropagator::propagate(std::span<Output> outputs) {
     outputs[m].inflow = 0;
   }
   if (radius_ == 0) return no_exchange(outputs);
+  count_terms(terms_);
+  add_bound(tolerance_ * rms_over_weighted());
+  const double rounding = rounding_of_terms(1 + magnitude(), scale);
+  constexpr double never_mind = 1e-11;
+  if (rounding > std::max(tolerance_, never_mind)) return expand_change();
+  add_bound(rounding);
+  return expand_state();
+}
+
+namespace {
+
+/// What the rounding of each term adds to U_k, over the size of the terms. What it adds to one term it goes
+/// on adding to later ones: worst by a factor k in a mode that hardly decays; roundings of many terms add up
+/// like a walk at random.
+double roundings_by_term(std::size_t k) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon(), of_a_term = 4, of_a_walk = 1;
+  const double terms = 1 + static_cast<double>(k);
+  return epsilon * terms * (of_a_term + of_a_walk * std::sqrt(terms));
+}
+
+}  // namespace
+
+/// Known beforehand, for U_k as they are.
+///   size  of the state, in spans
+///
+/// U_k moves from U_0 by at most what its inputs do to an entry of rate 0, and in a mode of rate lambda by at
+/// most min(2/lambda, 2 k^2/rho) times a constant input, where the state moves by (1 - exp(-lambda
+/// t))/lambda: by 4 max(1, k^2/z) times as much, and that is at most a span.
+double ChebyshevPropagator::rounding_of_terms(double size, const ExpansionScale& scale) const {
+  const bool constant = rhs().traits().autonomous;
+  double worst = 0;
+  for (std::size_t m = 0; m < outputs_.size(); ++m) {
+    const double z = outputs_[m].elapsed * radius_ / 2;
+    double sum = 0;
+    for (std::size_t k = 0; k < coefficients_[m].size(); ++k) {
+      const double time = time_of(k);
+      double moved = scale.by_rate ? time * (scale.rate + time / 2 * scale.turn) : 0;
+      if (constant) moved = std::min(moved, 4 * std::max(1.0, static_cast<double>(k * k) / z));
+      sum += coefficients_[m][k] * (size + moved) * roundings_by_term(k);
+    }
+    worst = std::max(worst, sum);
+  }
+  return worst;
+}
+
+/// U_k as they are: every term one fused sweep, many in a row.
+Outcome ChebyshevPropagator::expand_state() {
   std::copy(origin().begin(), origin().end(), u_.begin());
   add_probes(0, u_.data(), 0, u_.size());
   if (terms_ == 1) add_pair(0, u_.data(), u_.data(), 0, u_.size());
 
   std::array<ChainedStage, longest_chain> links;
-  // Time obeys the recurrence as an entry with rate 1 would.
-  const auto time_of = [&](std::size_t k) {
-    return now() + 2 * static_cast<double>(k) * static_cast<double>(k) / radius_;
-  };
   for (std::size_t k = 1; k < terms_; k += longest_chain) {  // U_k from U_{k-1} and U_{k-2}
     const auto chain = std::span(links).first(std::min(longest_chain, terms_ - k));
     for (std::size_t j = 0; j < chain.size(); ++j) {
       const Stage first{.y1 = u_.data(), .a = 1, .d = 2 / radius_};
       const Stage later{.y1 = u_.data(), .a = 2, .d = 4 / radius_, .y2 = next_.data(), .b = -1};
-      chain[j] = {.t = time_of(k + j - 1), .stage = k + j == 1 ? first : later, .out = next_.data()};
+      chain[j] = {.t = now() + time_of(k + j - 1), .stage = k + j == 1 ? first : later, .out = next_.data()};
       std::swap(u_, next_);
     }
     chain_ = chain;
@@ -106,11 +147,66 @@ Outcome ChebyshevPropagator::propagate(std::span<Output> outputs) {
       add_inflow(k + j - 1, chain[j].inflow);
     if (stop_requested()) return interrupted_at(now());
   }
-  if (plan().track_inflow) add_inflow(terms_ - 1, rhs().inflow(time_of(terms_ - 1), u_));
-  count_terms(terms_);
-  constexpr double roundings_of_a_term = 4 * std::numeric_limits<double>::epsilon();
-  add_bound(tolerance_ * rms_over_weighted() +
-            static_cast<double>(terms_) * roundings_of_a_term * magnitude());
+  if (plan().track_inflow) add_inflow(terms_ - 1, rhs().inflow(now() + time_of(terms_ - 1), u_));
+  return {};
+}
+
+/// For more digits than that leaves: W_k = U_k - U_0, which lose none to what all nodes have in common, and
+/// whose sizes are looked at. f(t, U_0 + W) = J W + f(t, U_0), and that is linear in time.
+Outcome ChebyshevPropagator::expand_change() {
+  const std::size_t n = origin().size();
+  const bool constant = rhs().traits().autonomous;
+  const double elapsed = outputs_.back().elapsed;
+  for (auto* vector : {&rate_, &turn_, &drive_}) vector->resize(n);
+  rhs()(now(), origin(), rate_);
+  drive_ = rate_;
+  if (!constant) {
+    rhs()(now() + elapsed, origin(), turn_);
+    for_each_entry(n, [&](std::size_t i) { turn_[i] = (turn_[i] - rate_[i]) / elapsed; });
+  }
+  const double inflow = plan().track_inflow ? rhs().inflow(now(), origin()) : 0;
+  const double inflow_turn =
+      constant || !plan().track_inflow ? 0 : (rhs().inflow(now() + elapsed, origin()) - inflow) / elapsed;
+  std::fill(u_.begin(), u_.end(), 0.0);
+  std::fill(next_.begin(), next_.end(), 0.0);
+  std::vector<double> rounding(outputs_.size(), 0.0);
+  double largest = 1;  // of the W_k so far, rms in spans
+  const auto rms = [&](const StateVector& v) {
+    const double squares = rhs().reduction().sum([&](std::size_t i) { return v[i] * v[i]; });
+    return std::sqrt(squares / static_cast<double>(n));
+  };
+  for (std::size_t k = 0; k < terms_; ++k) {
+    if (k > 0) {
+      const double t = time_of(k - 1), factor = (k == 1 ? 2 : 4) / radius_;
+      if (!constant) for_each_entry(n, [&](std::size_t i) { drive_[i] = rate_[i] + t * turn_[i]; });
+      const Stage stage{.y1 = u_.data(),
+                        .a = k == 1 ? 1.0 : 2.0,
+                        .d = factor,
+                        .y2 = next_.data(),
+                        .b = k == 1 ? 0.0 : -1.0,
+                        .f0 = drive_.data(),
+                        .e = factor};
+      rhs().linear_stage(stage, next_);
+      std::swap(u_, next_);
+    }
+    if (span() > 0) largest = std::max(largest, rms(u_) / span());
+    for (std::size_t m = 0; m < outputs_.size(); ++m)
+      rounding[m] += coefficient(coefficients_[m], k) * largest * roundings_by_term(k);
+    add_probes(k, u_.data(), 0, n);
+    for_ranges(n, n, [&](std::size_t first, std::size_t last) {
+      if (k % 2 == 1) add_pair(k - 1, next_.data(), u_.data(), first, last);
+      if (k % 2 == 0 && k + 1 == terms_) add_pair(k, u_.data(), u_.data(), first, last);
+    });
+    if (plan().track_inflow) add_inflow(k, inflow + time_of(k) * inflow_turn + rhs().linear_inflow(u_));
+    if (stop_requested()) return interrupted_at(now());
+  }
+  const double stored =
+      std::numeric_limits<double>::epsilon() * magnitude();  // with what all nodes have in common
+  add_bound(*std::max_element(rounding.begin(), rounding.end()) + stored);
+  for (auto& output : outputs_) {
+    for_each_entry(output.state.size(), [&](std::size_t i) { output.state[i] += origin()[i]; });
+    for (std::size_t p = 0; p < plan().probes.size(); ++p) output.probes[p] += origin()[plan().probes[p]];
+  }
   return {};
 }
 

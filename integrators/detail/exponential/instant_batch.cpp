@@ -33,7 +33,9 @@ void InstantBatch::prepare(Rhs& rhs, const Task& task) {
   constexpr double roundings = 100;  // of a value, where there is no span to be right within
   allowed_ = span_ > 0 ? task.allowed.front() : roundings * std::numeric_limits<double>::epsilon() * largest;
   allowed_ *= part_ / static_cast<double>(passes);
-  magnitude_ = span_ > 0 ? 1 + largest / span_ : 1;
+  part_allowed_ =
+      std::min(span_ > 0 ? task.allowed.front() / span_ : rtol_, rtol_) * part_ / static_cast<double>(passes);
+  magnitude_ = span_ > 0 ? largest / span_ : 0;
   states_.assign(std::min(states, most_states), StateVector(rhs.size()));
   allocate();
 }

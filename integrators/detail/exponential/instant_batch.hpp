@@ -44,6 +44,8 @@ class InstantBatch : public Propagator {
   [[nodiscard]] double span() const noexcept { return span_; }
   /// rms error that one batch, or one stretch where its batches share an origin, may add [K or V].
   [[nodiscard]] double allowed() const noexcept { return allowed_; }
+  /// The same in spans, but as if there were no rounding.
+  [[nodiscard]] double part_allowed() const noexcept { return part_allowed_; }
   /// Bound of an error's rms by its capacity-weighted rms [-]; largest value, in spans.
   [[nodiscard]] double rms_over_weighted() const noexcept { return rms_over_weighted_; }
   [[nodiscard]] double magnitude() const noexcept { return magnitude_; }
@@ -85,7 +87,7 @@ class InstantBatch : public Propagator {
   std::span<const double> current_;
   std::size_t batch_begin_ = 0, batch_size_ = 0, recorded_ = 0, reached_ = 0;
   double t_ = 0, t_batch_ = 0, span_ = 0, allowed_ = 0, inflow_before_ = 0, inflow_ = 0;
-  double rms_over_weighted_ = 1, norm_of_one_ = 1, magnitude_ = 0, bound_ = 0;
+  double rms_over_weighted_ = 1, norm_of_one_ = 1, magnitude_ = 0, bound_ = 0, part_allowed_ = 0;
   std::uint64_t batches_ = 0;
   int most_terms_ = 0;
   bool bounded_ = true;

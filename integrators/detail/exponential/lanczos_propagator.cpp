@@ -185,7 +185,8 @@ void LanczosPropagator::evaluate(std::span<Output> outputs) {
   for (const double integral : responses.back().integral) sum += std::abs(integral);
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
   const double rounding = roundings * rhs().spectral_bound(now(), start_) * norm_[0] * sum * rms_over_norm();
-  const double reached = bound_at(times.back()) + rounding;
+  const double stored = std::numeric_limits<double>::epsilon() * magnitude() * span();
+  const double reached = bound_at(times.back()) + rounding + stored;
   if (!(reached < span())) return give_up_bound();
   if (reached > reported_) add_bound((reached - std::exchange(reported_, reached)) / span());
 }
