@@ -119,7 +119,7 @@ IntegratorEntry exponential_entry() {
       .adaptive = true,
       .keys = exponential_keys(),
       .examples = {"exponential:basis=chebyshev,rtol=1e-13", "exponential:basis=lanczos,rtol=1e-9",
-                   "exponential:basis=lanczos,rtol=1e-9,memory=1",
+
                    "exponential:basis=shift-invert,rtol=1e-8"},
       .ladder =
           joined({rtol_ladder("exponential", 1, 12), rtol_ladder("exponential:basis=chebyshev", 2, 12, 2),

@@ -37,6 +37,13 @@ double exactness(const std::string& spec) {
   return 1e-12;
 }
 
+/// Krylov spaces end where their tolerance is met, and rounding may decide on one vector more: what numbering
+/// changes is within ten times the tolerance, 1e-8 or that of `auto`.
+double numbering(const std::string& spec) {
+  if (spec.starts_with("auto")) return 1e-3;
+  return spec.starts_with("exponential") ? 1e-7 : exactness(spec);
+}
+
 class EveryIntegrator : public ::testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryIntegrator, ::testing::ValuesIn(all_specs()), [](const auto& spec) {
@@ -110,7 +117,7 @@ TEST_P(EveryIntegrator, DoesNotCareHowNodesAreNumbered) {
   const auto a = run(GetParam(), problem, {0.4, 1.5}), b = run(GetParam(), shuffled, {0.4, 1.5});
   ASSERT_TRUE(a.outcome.ok() && b.outcome.ok());
   EXPECT_LT(max_difference(problem.by_id(a.states.back()), shuffled.by_id(b.states.back())),
-            exactness(GetParam()));
+            numbering(GetParam()));
 }
 
 TEST_P(EveryIntegrator, StartsAnewWithTheSameResult) {

@@ -12,6 +12,7 @@ namespace superstep {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double tightest = 1e-11;  // that the small problems of Krylov spaces are solved to
 
 // Constants measured on packings: the cylinder of the source paper (16 538 unknowns, t rho = 5.8e4 with the
 // certified rho) and lattices.
@@ -33,7 +34,8 @@ double sweeps_of_lanczos(const ExponentialWork& work) {
   constexpr double fewest = 40;  // a basis begun anew after fewer is no better than an expansion
   // Its products round by epsilons of rho each, and that acts for the whole time.
   constexpr double roundings = 30 * std::numeric_limits<double>::epsilon();
-  if (room < std::min(fewest, vectors) || roundings * work.t_rho > work.rtol) return never;
+  if (work.rtol < tightest || room < std::min(fewest, vectors) || roundings * work.t_rho > work.rtol)
+    return never;
   const double bases = std::max(1.0, vectors / room);
   return product * vectors * std::sqrt(bases);
 }
@@ -41,7 +43,6 @@ double sweeps_of_lanczos(const ExponentialWork& work) {
 /// Analysis and factorization once, a factorization more and its own solves for every two decades of output
 /// times: 600, 700 and 45 sweeps at 16 538 unknowns; dimensions are those that every spectrum needs.
 double sweeps_of_shift_invert(const ExponentialWork& work) {
-  constexpr double tightest = 1e-11;
   const double factor_bytes = 16 * std::pow(work.unknowns, 4.0 / 3.0);
   if (work.rtol < tightest || factor_bytes > work.memory) return never;
   const double size = work.unknowns / 16'538, digits = std::log10(1 / work.rtol);

@@ -108,13 +108,13 @@ double LanczosPropagator::estimate_at(double elapsed) const {
   return std::min(bound_at(elapsed), safety * norm_.front() * std::sqrt(square) * rms_over_norm());
 }
 
-/// Longest time that the present space covers.
-double LanczosPropagator::time_covered(double longest, double error) const {
+/// Longest time that the present space covers, of `longest` to the end, for its share of the error.
+double LanczosPropagator::time_covered(double longest) const {
   double low = 0, high = longest;
-  constexpr int bisections = 12;
+  constexpr int bisections = 20;
   for (int k = 0; k < bisections; ++k) {
     const double middle = 0.5 * (low + high);
-    (estimate_at(middle) <= error ? low : high) = middle;
+    (estimate_at(middle) <= unspent_ * middle / longest ? low : high) = middle;
   }
   return low;
 }
@@ -238,14 +238,14 @@ Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
     const double remaining = outputs.back().elapsed - offset_;
     if (Outcome outcome = grow(remaining); !outcome.ok()) return outcome;
     if (covered_) break;
-    // A space that is not the last one leaves half of what may still be spent to those that follow.
-    const double error = 0.5 * unspent_, covered = offset_ + time_covered(remaining, error);
+    const double whole = stretch() - offset_, time = time_covered(std::max(whole, remaining));
+    const double covered = offset_ + time;
     const auto end = std::find_if(outputs.begin(), outputs.end(),
                                   [&](const Output& output) { return output.elapsed > covered; });
     const auto done = static_cast<std::size_t>(end - outputs.begin());
     if (done > 0) evaluate(outputs.first(done));
     outputs = outputs.subspan(done);
-    if (Outcome outcome = restart_at(covered, error); !outcome.ok()) return outcome;
+    if (Outcome outcome = restart_at(covered, unspent_ * time / whole); !outcome.ok()) return outcome;
   }
   evaluate(outputs);
   return {};

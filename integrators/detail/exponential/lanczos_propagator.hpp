@@ -34,7 +34,7 @@ class LanczosPropagator final : public InstantBatch {
   /// rms error after `elapsed` in the present space [K or V]: an upper bound, and what it will be.
   [[nodiscard]] double bound_at(double elapsed) const;
   [[nodiscard]] double estimate_at(double elapsed) const;
-  [[nodiscard]] double time_covered(double longest, double error) const;
+  [[nodiscard]] double time_covered(double longest) const;
   [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients) const;
   void evaluate(std::span<Output> outputs);
   void add_basis(std::span<Output> outputs, const std::vector<std::vector<double>>& coefficients) const;

@@ -15,7 +15,7 @@ struct TridiagonalResponse {
 ///   alpha [m], beta [m-1]  of T: its diagonal, and what couples j to j+1 [1/s]
 /// The inverse Laplace transform, y(t) = 1/(2 pi i) times the integral of e^(zt) (zI + T)^-1 e_1 / z, by the
 /// trapezoidal rule on a hyperbola around the negative axis: some thirty complex solves of a tridiagonal
-/// system serve all times within a factor of eight, to 1e-14 of min(t, 1/lambda) in every mode, however stiff
+/// system serve all times within a factor of eight, to 1e-11 of min(t, 1/lambda) in every mode, however stiff
 /// T is. Source of the contour: Weideman & Trefethen (2007), doi:10.1090/S0025-5718-07-01945-X; its
 /// parameters here leave no room for the growth of rounding.
 [[nodiscard]] std::vector<TridiagonalResponse> tridiagonal_responses(std::span<const double> alpha,
