@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrators/detail/exponential/exponential_costs.hpp"
 #include "integrators/detail/implicit/shifted_solver.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
@@ -18,13 +19,6 @@ constexpr double default_rtol = 1e-4;
 
 // Constants fitted to reports/records/work_precision_nial_thermal.csv: 16 538 unknowns, t rho = 5.8e4 with
 // the certified rho.
-
-/// Terms of the Chebyshev expansion of exp(-t A), sqrt(t rho ln(1/rtol)) and a few more; 0.78 stands for the
-/// sharper radius that the method itself works with (480 to 1016 sweeps for rtol 1e-3 to 1e-12, within 12 %).
-double sweeps_of_exponential(double t_rho, double rtol) {
-  const double decades = std::log(1 / rtol);
-  return 0.78 * std::sqrt(t_rho * decades) + decades + 40;
-}
 
 /// RKC2 on a transient (1029 to 7660 sweeps for rtol 1e-3 to 1e-8, within 7 %).
 double sweeps_of_rkc(double t_rho, double rtol) {
@@ -66,6 +60,8 @@ class Automatic final : public Method {
     own_ = task;  // with the tolerance of the method chosen, which may keep it
     for (double& allowed : own_.allowed) allowed *= method_->rtol() / rtol_;
     method_->prepare(rhs, own_);
+    if (const std::string inner = method_->choice(); spec.starts_with("exponential") && !inner.empty())
+      choice_ += "; " + inner;
   }
   [[nodiscard]] double rtol() const override { return rtol_; }
   [[nodiscard]] OneStepMethod* one_step() override { return method_->one_step(); }
@@ -86,8 +82,8 @@ class Automatic final : public Method {
     const double third = std::max(1e-14, rtol_ / 3);
     std::vector<Candidate> candidates;
     if (exact) {
-      candidates.push_back(
-          {fmt::format("exponential:rtol={:.3g}", rtol_), sweeps_of_exponential(t_rho, rtol_)});
+      const auto costs = exponential_costs(work_of_exponential(rhs, task, rtol_));
+      candidates.push_back({fmt::format("exponential:rtol={:.3g}", rtol_), costs.least()});
     } else {
       candidates.push_back({fmt::format("rkc:rtol={:.3g}", third), sweeps_of_rkc(t_rho, third)});
       candidates.push_back({fmt::format("rock:rtol={:.3g}", third), sweeps_of_rock(t_rho, third)});

@@ -81,6 +81,7 @@ class ReferenceSearch {
     Run truth = integrate(pair_.truth);
     result.outcome = truth.outcome;
     if (!truth.outcome.ok()) return result;
+    pair_.certified = pair_.certified && truth.bounded;
     Run check = integrate(pair_.check);
     if (check.outcome.status == Status::interrupted) {
       result.outcome = check.outcome;
@@ -111,6 +112,7 @@ class ReferenceSearch {
     Outcome outcome;
     std::vector<std::vector<double>> states;
     std::vector<double> bound;  ///< [fields]
+    bool bounded = false;       ///< by the method itself, not by rounding alone
     ProbeHistory history;
     double inflow = 0;
   };
@@ -142,6 +144,7 @@ class ReferenceSearch {
     run.outcome = result.outcome;
     run.history = std::move(result.history);
     run.inflow = result.statistics.inflow;
+    run.bounded = result.statistics.error_bound > 0;
     for (std::size_t f = 0; f < reference_.spans.size(); ++f) {
       const double bound = result.statistics.error_bound, stored = bound > 0 ? 1 : roundings;
       run.bound.push_back(bound * reference_.spans[f] +

@@ -38,7 +38,8 @@ std::string tight_runge_kutta(const Scene& scene) {
 ReferencePair reference_pair(const Scene& scene) {
   const bool affordable = work_of_exponential(scene) <= most_work_of_exponential;
   if (scene.rhs->traits().linear && affordable)
-    return {"exponential:rtol=1e-14", small(scene) ? "cvode:rtol=1e-9,linsol=klu" : "cvode:rtol=1e-6", true};
+    return {"exponential:basis=chebyshev,rtol=1e-14",
+            small(scene) ? "cvode:rtol=1e-9,linsol=klu" : "cvode:rtol=1e-6", true};
   if (exactly_solvable(*scene.rhs) && affordable) return {tight_cvode(scene), "exponential:rtol=1e-12"};
   return {tight_cvode(scene), tight_runge_kutta(scene)};
 }

@@ -14,10 +14,17 @@ namespace superstep::audit {
 namespace {
 
 /// Variants of adaptive methods that differ in more than speed: other solvers, another basis.
-constexpr const char* variants[] = {
-    "trapezoidal:solver=klu", "trapezoidal:solver=cholmod",     "trapezoidal:solver=pcg",
-    "cvode:linsol=klu",       "trapezoidal:solver=fixed-point", "cvode:linsol=pcg",
-    "cvode:linsol=gmres",     "cvode:linsol=cholmod",           "exponential:basis=lanczos"};
+constexpr const char* variants[] = {"trapezoidal:solver=klu",
+                                    "trapezoidal:solver=cholmod",
+                                    "trapezoidal:solver=pcg",
+                                    "cvode:linsol=klu",
+                                    "trapezoidal:solver=fixed-point",
+                                    "cvode:linsol=pcg",
+                                    "cvode:linsol=gmres",
+                                    "cvode:linsol=cholmod",
+                                    "exponential:basis=lanczos",
+                                    "exponential:basis=chebyshev",
+                                    "exponential:basis=shift-invert"};
 constexpr const char* fixed_steps[] = {"forward-euler", "sts:n=10,nu=1e-2"};
 
 Contender contender(const std::string& spec) {

@@ -72,7 +72,7 @@ TEST(WorkPrecision, SweepsACase) {
   EXPECT_LT(study.points[2].worst_relative, 1e-7);
   EXPECT_EQ(study.points[3].status, "unstable");
   EXPECT_EQ(study.points[0].error_rms.size(), scene.output_times.size());
-  EXPECT_EQ(study.reference, "exponential:rtol=1e-14");
+  EXPECT_EQ(study.reference, "exponential:basis=chebyshev,rtol=1e-14");
 }
 
 }  // namespace

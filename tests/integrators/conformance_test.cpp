@@ -109,8 +109,13 @@ TEST_P(EveryIntegrator, DoesNotCareHowNodesAreNumbered) {
   Problem problem(graph), shuffled(test::relabelled(graph, 99));
   const auto a = run(GetParam(), problem, {0.4, 1.5}), b = run(GetParam(), shuffled, {0.4, 1.5});
   ASSERT_TRUE(a.outcome.ok() && b.outcome.ok());
-  EXPECT_LT(max_difference(problem.by_id(a.states.back()), shuffled.by_id(b.states.back())),
-            exactness(GetParam()));
+  const auto one = problem.by_id(a.states.back()), other = shuffled.by_id(b.states.back());
+  const bool krylov = GetParam().starts_with("auto") || GetParam().starts_with("exponential");
+  if (krylov)  // ends where its tolerance is met, and rounding may decide on one vector more: each is within
+               // it
+    EXPECT_LT(test::rms_difference(one, other), 2 * make_method(GetParam())->rtol());
+  else
+    EXPECT_LT(max_difference(one, other), exactness(GetParam()));
 }
 
 TEST_P(EveryIntegrator, StartsAnewWithTheSameResult) {

@@ -23,7 +23,7 @@ int bench_sintering(const BenchCommand& command) {
   HarnessOptions options = command.harness;
   // Between contact updates the network is linear and constant: the exponential is exact there, whereas the
   // small errors of a method that starts anew after every update add up.
-  if (options.reference.empty()) options.reference = "exponential:rtol=1e-12";
+  if (options.reference.empty()) options.reference = "exponential:basis=chebyshev,rtol=1e-12";
   if (options.reference != "none") check_specs({options.reference});
   const double begin = process_cpu_seconds();
   const auto one = dynamics::load_sintering_case(command.case_files.front());

@@ -17,26 +17,25 @@ void InstantBatch::prepare(Rhs& rhs, const Task& task) {
   rhs_ = &rhs;
   plan_ = task.plan;
   origin_.resize(rhs.size());
-  SpectralRadius radius;
-  radius.prepare(rhs, task.spans);
-  radius_ = radius.at(task.t_begin, origin_);
   span_ = task.spans.front();
   const std::size_t states = plan_->full_states ? plan_->output_times.size() : 1;
-  const auto passes = task.propagations + (states - 1) / most_states;
+  const std::size_t passes = task.propagations + (keeps_origin() ? 0 : (states - 1) / most_states);
   const auto capacity = rhs.capacities();
   double total = 0, smallest = std::numeric_limits<double>::infinity();
   for (const double c : capacity) {
     total += c;
     smallest = std::min(smallest, c);
   }
-  if (!capacity.empty())
-    rms_over_weighted_ = std::sqrt(total / (static_cast<double>(capacity.size()) * smallest));
-  // Truncation is bounded in the capacity-weighted norm, and its error may lie in the smallest capacities
-  // alone. Roundings are no reason to truncate earlier: that would save a term or two.
-  const double allowed = span_ > 0 ? std::min(task.allowed.front() / span_, rtol_) : rtol_;
+  rms_over_weighted_ =
+      capacity.empty() ? 1 : std::sqrt(total / (static_cast<double>(capacity.size()) * smallest));
+  norm_of_one_ = capacity.empty() ? 1 : std::sqrt(total);
+  const double largest = plan_->ranges.back().magnitude();
+  constexpr double roundings = 100;  // of a value, where there is no span to be right within
+  allowed_ = span_ > 0 ? task.allowed.front() : roundings * std::numeric_limits<double>::epsilon() * largest;
   share_of_run_ = 1 / static_cast<double>(passes);
-  tolerance_ = part_ * allowed / rms_over_weighted_ * share_of_run_;
-  magnitude_ = span_ > 0 ? plan_->ranges.back().magnitude() / span_ : 0;
+  allowed_ *= part_ * share_of_run_;
+  part_allowed_ = std::min(span_ > 0 ? task.allowed.front() / span_ : rtol_, rtol_) * part_ * share_of_run_;
+  magnitude_ = span_ > 0 ? largest / span_ : 0;
   states_.assign(std::min(states, most_states), StateVector(rhs.size()));
   allocate();
 }
@@ -49,6 +48,13 @@ void InstantBatch::begin(double t, double /*end*/, std::span<const double> y,
   t_ = t_batch_ = t;
   batch_begin_ = batch_size_ = recorded_ = reached_ = 0;
   inflow_before_ = inflow_;
+  start_over();
+}
+
+double InstantBatch::dot(std::span<const double> a, std::span<const double> b) const {
+  return rhs_->reduction().sum([c = rhs_->capacities().data(), x = a.data(), y = b.data()](std::size_t i) {
+    return c[i] * x[i] * y[i];
+  });
 }
 
 Outcome InstantBatch::no_exchange(std::span<Output> outputs) {
@@ -79,16 +85,22 @@ Outcome InstantBatch::compute_batch(std::size_t first) {
     output.probes.resize(plan_->probes.size());
     if (instant.state) batch_size_ = k + 1;
   }
-  ++passes_;
+  ++batches_;
   return propagate(std::span(outputs_).first(batch_size_));
+}
+
+/// The next batch goes on from where the last one ended.
+void InstantBatch::move_origin() {
+  if (current_.data() != origin_.data()) std::copy(current_.begin(), current_.end(), origin_.begin());
+  current_ = origin_;
+  t_batch_ = t_;
+  inflow_before_ = inflow_;
+  start_over();
 }
 
 Outcome InstantBatch::advance(std::size_t k) {
   if (k >= batch_begin_ + batch_size_) {
-    if (current_.data() != origin_.data()) std::copy(current_.begin(), current_.end(), origin_.begin());
-    current_ = origin_;
-    t_batch_ = t_;
-    inflow_before_ = inflow_;
+    if (batch_size_ > 0 && !keeps_origin()) move_origin();
     if (Outcome outcome = compute_batch(k); !outcome.ok()) return outcome;
   }
   const auto& output = outputs_[k - batch_begin_];
@@ -105,11 +117,10 @@ void InstantBatch::record(ProbeHistory& history) {
 }
 
 void InstantBatch::add_counts(Statistics& statistics) const {
-  statistics.steps += passes_;
+  statistics.steps += batches_;
   statistics.max_stages = std::max(statistics.max_stages, most_terms_);
   statistics.inflow += inflow_;
-  // Truncation, bounded in the capacity-weighted norm, and roundings.
-  statistics.error_bound += static_cast<double>(passes_) * tolerance_ * rms_over_weighted_ + rounding_;
+  if (bounded_) statistics.error_bound += bound_;
 }
 
 }  // namespace superstep

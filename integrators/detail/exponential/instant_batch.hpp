@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "integrators/detail/explicit/spectral_radius.hpp"
 #include "integrators/integrator.hpp"
 
 namespace superstep {
@@ -23,8 +22,8 @@ class InstantBatch : public Propagator {
   [[nodiscard]] double time() const noexcept final { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept final { return current_; }
   void record(ProbeHistory& history) final;
-  void reset_counts() final { passes_ = 0, most_terms_ = 0, inflow_ = rounding_ = 0; }
-  void add_counts(Statistics& statistics) const final;
+  void reset_counts() override { batches_ = 0, most_terms_ = 0, inflow_ = bound_ = 0, bounded_ = true; }
+  void add_counts(Statistics& statistics) const override;
 
  protected:
   /// One instant of the batch: time since the batch began, and where its results go.
@@ -38,30 +37,47 @@ class InstantBatch : public Propagator {
   [[nodiscard]] Rhs& rhs() const noexcept { return *rhs_; }
   [[nodiscard]] const Plan& plan() const noexcept { return *plan_; }
   [[nodiscard]] std::span<const double> origin() const noexcept { return origin_; }
-  [[nodiscard]] double radius() const noexcept { return radius_; }
+  /// Time of the origin [s].
   [[nodiscard]] double now() const noexcept { return t_batch_; }
+  /// Time from the origin to the end of the stretch [s].
+  [[nodiscard]] double stretch() const noexcept { return instants_.back().t - t_batch_; }
   [[nodiscard]] double span() const noexcept { return span_; }
-  /// Part of the span that one batch may err by.
-  [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
+  /// rms error that one batch, or one stretch where its batches share an origin, may add [K or V].
+  [[nodiscard]] double allowed() const noexcept { return allowed_; }
+  /// The same in spans, but as if there were no rounding.
+  [[nodiscard]] double part_allowed() const noexcept { return part_allowed_; }
+  /// Bound of an error's rms by its capacity-weighted rms [-]; largest value, in spans.
+  [[nodiscard]] double rms_over_weighted() const noexcept { return rms_over_weighted_; }
+  [[nodiscard]] double magnitude() const noexcept { return magnitude_; }
+  /// Bound of a vector's rms by its capacity norm, and the capacity norm of a uniform 1.
+  [[nodiscard]] double rms_over_norm() const noexcept { return rms_over_weighted_ / norm_of_one_; }
+  [[nodiscard]] double norm_of_one() const noexcept { return norm_of_one_; }
   [[nodiscard]] bool stop_requested() const noexcept { return plan_->stop && plan_->stop->load(); }
+  /// The capacity inner product.
+  [[nodiscard]] double dot(std::span<const double> a, std::span<const double> b) const;
   /// Results of a network in which nothing exchanges anything: values grow by their sources.
   [[nodiscard]] Outcome no_exchange(std::span<Output> outputs);
   /// Of what a whole run may do, the part that is this batch's [-].
   [[nodiscard]] double share_of_run() const noexcept { return share_of_run_; }
-  /// Largest value of the field in spans.
-  [[nodiscard]] double magnitude() const noexcept { return magnitude_; }
   void count_terms(std::size_t terms) noexcept {
     most_terms_ = std::max(most_terms_, static_cast<int>(terms));
   }
-  /// Adds what roundings of a batch may amount to, in spans.
-  void count_rounding(double rounding) noexcept { rounding_ += rounding; }
+  /// Adds to the bound of the run's error, in spans.
+  void add_bound(double bound) noexcept { bound_ += bound; }
+  /// Says that there is none.
+  void give_up_bound() noexcept { bounded_ = false; }
 
  private:
   /// Allocates, or refuses the scene.
   virtual void allocate() = 0;
+  /// True when every batch of a stretch starts from its beginning; else each from the end of the one before.
+  [[nodiscard]] virtual bool keeps_origin() const noexcept { return false; }
+  /// The origin is a new one.
+  virtual void start_over() {}
   /// Fills states, probes and inflows of `outputs` from `origin()`.
   [[nodiscard]] virtual Outcome propagate(std::span<Output> outputs) = 0;
   [[nodiscard]] Outcome compute_batch(std::size_t first);
+  void move_origin();
 
   double rtol_, part_;
   Rhs* rhs_ = nullptr;
@@ -72,12 +88,12 @@ class InstantBatch : public Propagator {
   std::vector<Output> outputs_;
   std::span<const double> current_;
   std::size_t batch_begin_ = 0, batch_size_ = 0, recorded_ = 0, reached_ = 0;
-  double t_ = 0, t_batch_ = 0, radius_ = 0, span_ = 0, tolerance_ = 0, inflow_before_ = 0, inflow_ = 0;
-  double rms_over_weighted_ = 1, magnitude_ = 0;  ///< bound of one norm by the other [-]; of values, in spans
-  double rounding_ = 0;                           ///< in spans
+  double t_ = 0, t_batch_ = 0, span_ = 0, allowed_ = 0, inflow_before_ = 0, inflow_ = 0;
+  double rms_over_weighted_ = 1, norm_of_one_ = 1, magnitude_ = 0, bound_ = 0, part_allowed_ = 0;
   double share_of_run_ = 1;
-  std::uint64_t passes_ = 0;
+  std::uint64_t batches_ = 0;
   int most_terms_ = 0;
+  bool bounded_ = true;
 };
 
 }  // namespace superstep

@@ -8,163 +8,246 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/exponential/chebyshev_exponential.hpp"
+#include "integrators/detail/exponential/tridiagonal_response.hpp"
 #include "integrators/detail/run_guard.hpp"
 
 namespace superstep {
 namespace {
 
-constexpr std::size_t most_vectors = 20'000;
-constexpr std::size_t first_check = 12;
-constexpr double check_growth = 1.15;
-/// Of the mean capacity to the smallest. Vectors are normed and made orthogonal in the capacity norm:
-/// roundings of 1e-16 there are errors of 1e-16 times the root of this in the values of the smallest nodes.
-constexpr double widest_capacities = 1e16;
+constexpr std::size_t fewest_vectors = 8, most_vectors_ever = 40'000;
+constexpr std::size_t stretch_of_entries = 1024;  // stays in the first cache while vectors are added up
 
 }  // namespace
-
-TridiagonalResponse tridiagonal_response(std::span<const double> alpha, std::span<const double> beta,
-                                         double t, double tolerance) {
-  const std::size_t m = alpha.size();
-  double radius = 0;  // Gershgorin
-  for (std::size_t j = 0; j < m; ++j)
-    radius = std::max(radius, alpha[j] + (j > 0 ? beta[j - 1] : 0) + (j + 1 < m ? beta[j] : 0));
-  TridiagonalResponse out{std::vector<double>(m, 0.0), std::vector<double>(m, 0.0)};
-  if (!(radius > 0)) {
-    out.value[0] = t;
-    out.integral[0] = t * t / 2;
-    return out;
-  }
-  // y' = e_1 - T y from 0: a rate of length 1, and results up to t.
-  const auto c = exponential_coefficients(t * radius / 2, tolerance, {.by_rate = true, .rate = 1});
-  const auto d = integrated_coefficients(c);
-  // The affine Chebyshev recurrence of chebyshev_exponential.hpp on y' = e_1 - T y.
-  std::vector<double> before(m, 0.0), now(m, 0.0);
-  const auto derivative = [&](const std::vector<double>& y, std::size_t j) {
-    return (j == 0 ? 1.0 : 0.0) - alpha[j] * y[j] - (j > 0 ? beta[j - 1] * y[j - 1] : 0) -
-           (j + 1 < m ? beta[j] * y[j + 1] : 0);
-  };
-  now[0] = 2 / radius;
-  for (std::size_t k = 1; k < c.size(); ++k) {
-    for (std::size_t j = 0; j < m; ++j) {
-      out.value[j] += c[k] * now[j];
-      out.integral[j] += 2 / radius * d[k] * now[j];
-    }
-    for (std::size_t j = 0; j < m; ++j) before[j] = 2 * now[j] - before[j] + 4 / radius * derivative(now, j);
-    std::swap(before, now);
-  }
-  return out;
-}
 
 void LanczosPropagator::allocate() {
   if (!rhs().traits().autonomous)
     throw Refused("basis=lanczos is for constant inputs; leave it out where they change in time");
-  const auto capacity = rhs().capacities();
-  double total = 0, smallest = std::numeric_limits<double>::infinity();
-  for (const double c : capacity) {
-    total += c;
-    smallest = std::min(smallest, c);
-  }
-  if (total / static_cast<double>(capacity.size()) > widest_capacities * smallest)
+  const double vector = static_cast<double>(rhs().size() * sizeof(double));
+  const double fit = std::min(memory_ / std::max(vector, 1.0), static_cast<double>(most_vectors_ever));
+  if (fit < fewest_vectors)
     throw Refused(
-        fmt::format("basis=lanczos: the smallest capacity is {:.1e} of the mean, and below {:.0e} its values "
-                    "drown in rounding; use basis=chebyshev",
-                    smallest * static_cast<double>(capacity.size()) / total, 1 / widest_capacities));
-  for (auto* v : {&v_, &previous_, &w_}) v->resize(rhs().size());
+        fmt::format("basis=lanczos: {:.0f} MiB hold {:.0f} vectors, too few; give it more memory, "
+                    "or use basis=chebyshev",
+                    memory_ / 0x1p20, fit));
+  most_vectors_ = static_cast<std::size_t>(fit);
+  start_.resize(rhs().size());
+  basis_ = VectorStore(rhs().size());
 }
 
-double LanczosPropagator::dot(const std::vector<double>& a, const std::vector<double>& b) const {
-  const auto capacity = rhs().capacities();
-  return rhs().reduction().sum([&](std::size_t i) { return capacity[i] * a[i] * b[i]; });
+void LanczosPropagator::start_over() {
+  open_ = false;
+  offset_ = start_inflow_ = 0;
+  unspent_ = allowed();
+  covered_ = false;
+  std::copy(origin().begin(), origin().end(), start_.begin());
 }
 
-void LanczosPropagator::begin_space() {
-  rhs()(now(), origin(), v_);
-  length_ = std::sqrt(dot(v_, v_));
-  if (length_ > 0)
-    for (double& entry : v_) entry /= length_;
-  std::fill(previous_.begin(), previous_.end(), 0.0);
+void LanczosPropagator::open_space() {
+  open_ = true;
+  reported_ = 0;
+  norm_.clear();
+  alpha_.clear();
+  inflow_.clear();
+  bound_ = ResidualBound(stretch() - offset_);
+  const auto rate = basis_.at(0);
+  rhs()(now() + offset_, start_, rate);
+  norm_.push_back(std::sqrt(dot(rate, rate)));
+  rate_of_inflow_ = plan().track_inflow ? rhs().inflow(now() + offset_, start_) : 0;
 }
 
-bool LanczosPropagator::next_vector(std::size_t j) {
-  const double coupling = j > 0 ? beta_[j - 1] : 0;
-  rhs().linear_stage({.y1 = v_.data(), .a = 0, .d = -1, .y2 = previous_.data(), .b = -coupling}, w_);
-  if (j == alpha_.size()) alpha_.push_back(dot(v_, w_));
-  for_each_entry(w_.size(), [&](std::size_t i) { w_[i] -= alpha_[j] * v_[i]; });
-  if (j == beta_.size()) beta_.push_back(std::sqrt(dot(w_, w_)));
-  if (!(beta_[j] > 1e-14 * radius())) return false;
-  for_each_entry(w_.size(), [&](std::size_t i) { w_[i] /= beta_[j]; });
-  std::swap(previous_, v_);
-  std::swap(v_, w_);
-  return true;
+/// One sweep: v_{j+1} from v_j and v_{j-1}, each times its norm, so that scaling them costs no pass.
+void LanczosPropagator::add_vector() {
+  const std::size_t j = alpha_.size();
+  const std::span<double> next = basis_.at(j + 1);
+  const double* now = basis_[j];
+  Stage stage{.y1 = now, .a = 0, .d = -1 / norm_[j]};
+  if (j > 0) stage.y2 = basis_[j - 1], stage.b = -norm_[j] / norm_[j - 1];
+  rhs().linear_stage(stage, next);
+  alpha_.push_back(dot({now, next.size()}, next) / norm_[j]);
+  const double square = rhs().reduction().sum(
+      [w = next.data(), v = now, c = rhs().capacities().data(), part = alpha_[j] / norm_[j]](std::size_t i) {
+        w[i] -= part * v[i];
+        return c[i] * w[i] * w[i];
+      });
+  bound_.add_row(alpha_[j], norm_[j]);
+  norm_.push_back(std::sqrt(square));
+  if (plan().track_inflow) inflow_.push_back(rhs().linear_inflow({now, next.size()}) / norm_[j]);
 }
 
-double LanczosPropagator::allowed_error() const {
-  const auto capacity = rhs().capacities();
-  const double total = rhs().reduction().sum([&](std::size_t i) { return capacity[i]; });
-  return tolerance() * span() * std::sqrt(total);
+/// Rigorous: the integral of the residual.
+double LanczosPropagator::bound_at(double elapsed) const {
+  const double residual = norm_.front() * norm_.back();  // |f_0| beta
+  return residual > 0 ? std::exp(std::log(residual) + bound_.log_integral(elapsed)) * rms_over_norm() : 0;
 }
 
-/// The residual of the projected solution u is beta_m |f_0| u_m(s) v_{m+1}. The components of u keep their
-/// signs for all times, so that the integral of |u_m| is that of u_m.
-double LanczosPropagator::precision_of_small_solution(double elapsed) const {
-  constexpr double part = 0.01;
-  return std::clamp(part * allowed_error() / (length_ * elapsed), 1e-18, 1e-3);
+/// The bound takes what the residual leaves for undamped, and where it oscillates from node to node it is a
+/// hundred times too large. Where the recurrence has become regular, as it does in networks without stiff
+/// parts, it is continued by its own mirror image, and what that changes is the error; else the bound stands.
+double LanczosPropagator::estimate_at(double elapsed) const {
+  constexpr double regular = 4, safety = 3;
+  const std::size_t m = alpha_.size(), half = m / 2;
+  const std::span<const double> alpha = alpha_, beta = std::span(norm_).subspan(1);  // beta[j] leads beyond j
+  const auto within = [&](std::span<const double> part) {
+    const auto [low, high] = std::minmax_element(part.begin(), part.end());
+    return *high <= regular * *low;
+  };
+  if (half == 0 || !within(alpha.subspan(half)) || !within(beta.subspan(half))) return bound_at(elapsed);
+  std::vector<double> diagonal(alpha.begin(), alpha.end()), off(beta.begin(), beta.end());
+  for (std::size_t j = m; j-- > half;) {
+    diagonal.push_back(alpha[j]);
+    if (j > half) off.push_back(beta[j - 1]);
+  }
+  const double time[] = {elapsed};
+  const auto now = tridiagonal_responses(alpha, beta.first(m - 1), time).front().value;
+  const auto later = tridiagonal_responses(diagonal, off, time).front().value;
+  double square = 0;
+  for (std::size_t j = 0; j < later.size(); ++j) {
+    const double change = later[j] - (j < m ? now[j] : 0.0);
+    square += change * change;
+  }
+  return std::min(bound_at(elapsed), safety * norm_.front() * std::sqrt(square) * rms_over_norm());
 }
 
-bool LanczosPropagator::accurate(double elapsed) const {
-  const std::size_t m = alpha_.size();
-  const double scale = length_ * beta_.back(), wanted = allowed_error() / scale;
-  const double precision = std::clamp(0.1 * wanted / (elapsed * elapsed), 1e-18, 1e-3);
-  const auto u = tridiagonal_response(alpha_, std::span(beta_).first(m - 1), elapsed, precision);
-  constexpr double safety = 0.5;  // the small solution has errors, too
-  return std::abs(u.integral.back()) <= safety * wanted;
+/// Longest time that the present space covers, of `longest` to the end, for its share of the error.
+double LanczosPropagator::time_covered(double longest) const {
+  double low = 0, high = longest;
+  constexpr int bisections = 20;
+  for (int k = 0; k < bisections; ++k) {
+    const double middle = 0.5 * (low + high);
+    (estimate_at(middle) <= unspent_ * middle / longest ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Adds coefficients[k][j] basis_[j] to the state of output k.
+void LanczosPropagator::add_basis(std::span<Output> outputs,
+                                  const std::vector<std::vector<double>>& coefficients) const {
+  const std::size_t n = start_.size(), m = alpha_.size();
+  const auto factor_of = [&](std::size_t k, std::size_t j) {
+    return j < coefficients[k].size() ? coefficients[k][j] : 0.0;
+  };
+  for_ranges((n + stretch_of_entries - 1) / stretch_of_entries, n, [&](std::size_t from, std::size_t to) {
+    for (std::size_t part = from; part < to; ++part) {
+      const std::size_t first = part * stretch_of_entries, last = std::min(first + stretch_of_entries, n);
+      for (std::size_t j = 0; j < m; j += 4) {
+        const auto vector = [&](std::size_t k) { return basis_[std::min(j + k, m - 1)]; };
+        const double *v0 = vector(0), *v1 = vector(1), *v2 = vector(2), *v3 = vector(3);
+        for (std::size_t k = 0; k < outputs.size(); ++k) {
+          if (outputs[k].state.empty() || j >= coefficients[k].size()) continue;
+          const double c0 = factor_of(k, j), c1 = factor_of(k, j + 1);
+          const double c2 = factor_of(k, j + 2), c3 = factor_of(k, j + 3);
+          double* state = outputs[k].state.data();
+          for (std::size_t i = first; i < last; ++i)
+            state[i] += (c0 * v0[i] + c1 * v1[i]) + (c2 * v2[i] + c3 * v3[i]);
+        }
+      }
+    }
+  });
+}
+
+/// Coefficients of unit vectors without those at the end that add less than a thousandth of the tolerance:
+/// early instants need fewer vectors than the last one.
+std::vector<double> LanczosPropagator::significant(std::vector<double> coefficients) const {
+  constexpr double insignificant = 1e-3;
+  double square = 0;
+  while (!coefficients.empty()) {
+    square += coefficients.back() * coefficients.back();
+    if (norm_[0] * std::sqrt(square) * rms_over_norm() > insignificant * allowed()) break;
+    coefficients.pop_back();
+  }
+  return coefficients;
+}
+
+/// States, probes and inflows at instants that the space covers.
+void LanczosPropagator::evaluate(std::span<Output> outputs) {
+  std::vector<double> times, beta(norm_.begin() + 1, norm_.end());
+  for (const auto& output : outputs) times.push_back(output.elapsed - offset_);
+  auto responses = tridiagonal_responses(alpha_, beta, times);
+  std::vector<std::vector<double>> coefficients;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    Output& output = outputs[k];
+    output.inflow = start_inflow_ + times[k] * rate_of_inflow_;
+    for (std::size_t j = 0; j < inflow_.size(); ++j)
+      output.inflow += norm_[0] * responses[k].integral[j] * inflow_[j];
+    coefficients.push_back(significant(std::move(responses[k].value)));
+    for (std::size_t j = 0; j < coefficients[k].size(); ++j) coefficients[k][j] *= norm_[0] / norm_[j];
+    for (std::size_t p = 0; p < plan().probes.size(); ++p) {
+      const std::size_t probe = plan().probes[p];
+      output.probes[p] = start_[probe];
+      for (std::size_t j = 0; j < coefficients[k].size(); ++j)
+        output.probes[p] += coefficients[k][j] * basis_[j][probe];
+    }
+    std::copy_n(start_.begin(), output.state.size(), output.state.begin());
+  }
+  add_basis(outputs, coefficients);
+  // Each product rounds by some epsilons of rho, which then act as the residual does.
+  double sum = 0;
+  for (const double integral : responses.back().integral) sum += std::abs(integral);
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+  const double rounding = roundings * rhs().spectral_bound(now(), start_) * norm_[0] * sum * rms_over_norm();
+  const double stored = std::numeric_limits<double>::epsilon() * magnitude() * span();
+  const double reached = bound_at(times.back()) + rounding + stored;
+  if (!(reached < span())) return give_up_bound();
+  if (reached > reported_) add_bound((reached - std::exchange(reported_, reached)) / span());
+}
+
+/// A new space from a time [s since the origin] that this one covers.
+Outcome LanczosPropagator::restart_at(double covered, double error) {
+  if (!(covered > offset_))
+    return {Status::failed, fmt::format("{} Lanczos vectors do not cover any time; give them more memory, or "
+                                        "use basis=chebyshev",
+                                        alpha_.size())};
+  StateVector state(start_.size());
+  Output end{.elapsed = covered, .state = state, .probes = std::vector<double>(plan().probes.size())};
+  evaluate({&end, 1});
+  unspent_ -= error;
+  start_ = std::move(state);
+  offset_ = covered;
+  start_inflow_ = end.inflow;
+  open_ = false;
+  return {};
+}
+
+/// Adds vectors until the space covers `elapsed`, is exhausted, or is as large as it may be.
+Outcome LanczosPropagator::grow(double elapsed) {
+  constexpr double first_look = 5e3;  // times the tolerance: how much the bound may be too large
+  double looseness = first_look;      // bound over estimate, as last seen
+  covered_ = false;
+  while (true) {
+    const double bound = bound_at(elapsed);
+    if (bound <= unspent_) covered_ = true;
+    if (!covered_ && bound <= looseness * unspent_) {
+      const double estimate = estimate_at(elapsed);
+      covered_ = estimate <= unspent_;
+      // The next look is where both will have fallen enough; soon, where the bound stood for the estimate.
+      const double soon = 0.5 * bound / unspent_;
+      looseness = estimate < bound ? std::min(bound / estimate, soon) : soon;
+    }
+    if (covered_ || norm_.back() == 0 || alpha_.size() == most_vectors_) break;
+    if (stop_requested()) return interrupted_at(now() + offset_);
+    add_vector();
+  }
+  count_terms(alpha_.size());
+  return stop_requested() ? interrupted_at(now() + offset_) : Outcome{};
 }
 
 Outcome LanczosPropagator::propagate(std::span<Output> outputs) {
-  if (radius() == 0) return no_exchange(outputs);
-  alpha_.clear();
-  beta_.clear();
-  begin_space();
-  double check_at = first_check;
-  for (bool more = length_ > 0; more;) {
-    more = next_vector(alpha_.size());
-    if (more && static_cast<double>(alpha_.size()) >= check_at) {
-      check_at *= check_growth;
-      more = !accurate(outputs.back().elapsed);
-    }
-    if (stop_requested()) return interrupted_at(now());
-    if (alpha_.size() >= most_vectors)
-      return {Status::failed,
-              fmt::format("Lanczos did not reach the tolerance in {} products; use basis=chebyshev",
-                          most_vectors)};
+  if (rhs().spectral_bound(now(), origin()) == 0) return no_exchange(outputs);
+  while (true) {
+    if (!open_) open_space();
+    const double remaining = outputs.back().elapsed - offset_;
+    if (Outcome outcome = grow(remaining); !outcome.ok()) return outcome;
+    if (covered_) break;
+    const double whole = stretch() - offset_, time = time_covered(std::max(whole, remaining));
+    const double covered = offset_ + time;
+    const auto end = std::find_if(outputs.begin(), outputs.end(),
+                                  [&](const Output& output) { return output.elapsed > covered; });
+    const auto done = static_cast<std::size_t>(end - outputs.begin());
+    if (done > 0) evaluate(outputs.first(done));
+    outputs = outputs.subspan(done);
+    if (Outcome outcome = restart_at(covered, unspent_ * time / whole); !outcome.ok()) return outcome;
   }
-  const std::size_t m = alpha_.size();
-  std::vector<TridiagonalResponse> responses;
-  const double inflow = rhs().inflow(now(), origin());
-  for (auto& output : outputs) {
-    if (m > 0)
-      responses.push_back(tridiagonal_response(alpha_, std::span(beta_).first(m - 1), output.elapsed,
-                                               precision_of_small_solution(output.elapsed)));
-    std::copy_n(origin().begin(), output.state.size(), output.state.begin());
-    for (std::size_t p = 0; p < plan().probes.size(); ++p) output.probes[p] = origin()[plan().probes[p]];
-    output.inflow = plan().track_inflow ? output.elapsed * inflow : 0;
-  }
-  begin_space();
-  for (std::size_t j = 0; j < m; ++j) {
-    const double inflow_change = plan().track_inflow ? rhs().linear_inflow(v_) : 0;
-    for (std::size_t k = 0; k < outputs.size(); ++k) {
-      const double factor = length_ * responses[k].value[j];
-      for (std::size_t p = 0; p < plan().probes.size(); ++p)
-        outputs[k].probes[p] += factor * v_[plan().probes[p]];
-      for_each_entry(outputs[k].state.size(), [&](std::size_t i) { outputs[k].state[i] += factor * v_[i]; });
-      if (plan().track_inflow) outputs[k].inflow += length_ * responses[k].integral[j] * inflow_change;
-    }
-    if (j + 1 < m) next_vector(j);
-  }
-  count_terms(2 * m);
-  constexpr double roundings_of_a_term = 4 * std::numeric_limits<double>::epsilon();
-  count_rounding(2 * static_cast<double>(m) * roundings_of_a_term * (1 + magnitude()));
+  evaluate(outputs);
   return {};
 }
 

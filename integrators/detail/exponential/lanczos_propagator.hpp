@@ -1,42 +1,60 @@
 #pragma once
 /// exp(-t A) by Lanczos in the capacity inner product: adapts to the spectrum that the start really excites.
 ///
-/// A first pass builds the tridiagonal matrix T until the residual of its small solution, integrated over
-/// time, is below the tolerance: in a contractive network that bounds the error. A second pass repeats the
-/// recurrence and adds up the results, so that memory stays at a few vectors.
+///   y(t) = y_0 + |f_0| V u(t),   u' = e_1 - T u,   A V = V T + beta v_{m+1} e_m^T
+///
+/// One pass: the basis V is kept, and every output, probe and inflow of a stretch comes out of it. What u
+/// leaves of the equation is -|f_0| beta u_m(s) v_{m+1}. A network contracts in the capacity norm, so that
+/// the integral of this residual bounds the error, orthogonal or not: see residual_bound.hpp. It is what a
+/// run reports; it stops earlier, by an estimate of what the network's damping leaves of the error. Where the
+/// basis outgrows its memory the time that it does cover is taken and a new one begins there. Source:
+/// Hochbruck & Lubich (1997), doi:10.1137/S0036142995280572.
 
 #include "integrators/detail/exponential/instant_batch.hpp"
+#include "integrators/detail/exponential/residual_bound.hpp"
+#include "integrators/detail/exponential/vector_store.hpp"
 
 namespace superstep {
 
 class LanczosPropagator final : public InstantBatch {
  public:
-  using InstantBatch::InstantBatch;
+  ///   memory  that the basis may take [bytes]
+  LanczosPropagator(double rtol, double memory, double part = 1)
+      : InstantBatch(rtol, part), memory_(memory) {}
 
  private:
   void allocate() override;
+  [[nodiscard]] bool keeps_origin() const noexcept override { return true; }
+  void start_over() override;
   [[nodiscard]] Outcome propagate(std::span<Output> outputs) override;
 
-  /// v_{j+1} from v_j and v_{j-1}; extends or repeats alpha_ and beta_. Returns false when the space is
-  /// exhausted.
-  bool next_vector(std::size_t j);
-  void begin_space();
-  [[nodiscard]] bool accurate(double elapsed) const;
-  [[nodiscard]] double dot(const std::vector<double>& a, const std::vector<double>& b) const;
-  [[nodiscard]] double allowed_error() const;
-  [[nodiscard]] double precision_of_small_solution(double elapsed) const;
+  /// A space of dimension 0 from `start_` at `offset_`.
+  void open_space();
+  void add_vector();
+  /// rms error after `elapsed` in the present space [K or V]: an upper bound, and what it will be.
+  [[nodiscard]] double bound_at(double elapsed) const;
+  [[nodiscard]] double estimate_at(double elapsed) const;
+  [[nodiscard]] double time_covered(double longest) const;
+  [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients) const;
+  void evaluate(std::span<Output> outputs);
+  void add_basis(std::span<Output> outputs, const std::vector<std::vector<double>>& coefficients) const;
+  [[nodiscard]] Outcome grow(double elapsed);
+  [[nodiscard]] Outcome restart_at(double covered, double error);
 
-  std::vector<double> v_, previous_, w_;
-  double length_ = 0;                 ///< of f(X_0) in the capacity norm
-  std::vector<double> alpha_, beta_;  ///< of T: diagonal, and what couples j to j+1
+  double memory_;
+  std::size_t most_vectors_ = 0;
+  VectorStore basis_;           ///< v_j times `norm_[j]`
+  std::vector<double> norm_;    ///< [dimension + 1]; norm_[j] couples j-1 to j
+  std::vector<double> alpha_;   ///< [dimension] diagonal of T
+  std::vector<double> inflow_;  ///< [dimension] of v_j, when tracked
+  ResidualBound bound_;
+  StateVector start_;          ///< state from which the present space starts
+  double offset_ = 0;          ///< its time since the origin [s]
+  double start_inflow_ = 0;    ///< since the origin [J or C]
+  double rate_of_inflow_ = 0;  ///< at the start of the space
+  double reported_ = 0;        ///< of its error, as a bound [K or V]
+  double unspent_ = 0;         ///< of the allowed error [K or V]
+  bool open_ = false, covered_ = false;
 };
-
-/// y(t) and its integral for y' = -T y + e_1, y(0) = 0, T symmetric tridiagonal and positive semidefinite.
-struct TridiagonalResponse {
-  std::vector<double> value, integral;
-};
-[[nodiscard]] TridiagonalResponse tridiagonal_response(std::span<const double> alpha,
-                                                       std::span<const double> beta, double t,
-                                                       double tolerance);
 
 }  // namespace superstep
