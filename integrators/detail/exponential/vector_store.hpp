@@ -6,13 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "core/aligned_array.hpp"
+#include "core/huge_pages.hpp"
 
 namespace superstep {
 
-/// Blocks, because a page that an allocator has given back costs as much to get again as several sweeps over
-/// what fits into it: those of this size it keeps. Entries are left untouched, so that the thread that will
-/// read them is the first to write them.
+/// Entries are left untouched, so that the thread that will read them is the first to write them.
 class VectorStore {
  public:
   explicit VectorStore(std::size_t length = 0) : length_(length), stride_((length + line - 1) / line * line) {
@@ -21,7 +19,7 @@ class VectorStore {
   }
   /// Vector number k [length]; those before stay where they are.
   [[nodiscard]] std::span<double> at(std::size_t k) {
-    while (k >= blocks_.size() * per_block_) blocks_.push_back(aligned_array<double>(stride_ * per_block_));
+    while (k >= blocks_.size() * per_block_) blocks_.push_back(huge_page_array<double>(stride_ * per_block_));
     return {blocks_[k / per_block_].get() + k % per_block_ * stride_, length_};
   }
   /// The same of a vector that was asked for before.
@@ -30,11 +28,11 @@ class VectorStore {
   }
 
  private:
-  static constexpr std::size_t line = 8;                               // doubles
-  static constexpr std::size_t largest_block = std::size_t{28} << 20;  // bytes
-  static constexpr std::size_t most_per_block = 256;                   // vectors
+  static constexpr std::size_t line = 8;                        // doubles
+  static constexpr std::size_t largest_block = 16 * huge_page;  // bytes
+  static constexpr std::size_t most_per_block = 256;            // vectors
   std::size_t length_, stride_, per_block_ = 1;
-  std::vector<AlignedArray<double>> blocks_;
+  std::vector<HugePageArray<double>> blocks_;
 };
 
 }  // namespace superstep
