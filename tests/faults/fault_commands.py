@@ -61,7 +61,7 @@ class Folder:
     """Inputs of all commands, the outputs of one, and what they are when nothing goes wrong."""
 
     def __init__(self, program, path, name):
-        self.program, self.path, self.name = str(program), pathlib.Path(path), name
+        self.program, self.path, self.name = str(pathlib.Path(program).resolve()), pathlib.Path(path), name
         self.path.mkdir(parents=True)
         nodes, edges = nodes_and_edges(40)
         (self.path / "nodes.csv").write_text(nodes)

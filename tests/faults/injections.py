@@ -7,6 +7,7 @@ The program must not die of it: its exit code says what was wrong, what it leave
 all went well, all is there.
 """
 
+import pathlib
 import sys
 import tempfile
 
@@ -44,7 +45,7 @@ def faults_of(folder, shim, wish):
 
 
 def main():
-    program, shim = sys.argv[1], sys.argv[2]
+    program, shim = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve())
     most = int(sys.argv[3]) if len(sys.argv) > 3 else 4
     faults, runs = [], 0
     with tempfile.TemporaryDirectory(prefix="superstep-") as place:
