@@ -41,7 +41,7 @@ class CommandLine : public testing::Test {
               "0.4",
               "--output",
               folder_.file("packing.csv")};
-    if (command == "gate") return {"gate", folder_.file("none")};
+    if (command == "gate") return {"gate", folder_.file("none"), "--baseline", folder_.file("none")};
     if (command == "compare") return {"compare", folder_.file("none"), folder_.file("none")};
     if (command == "report") return {"report", folder_.file("none")};
     if (command == "completion") return {"completion"};

@@ -38,7 +38,7 @@ TEST_F(Limits, ARunEndsWhenItsTimeIsUp) {
                                         "--time-limit", "0.2", "--quiet", "--out", out()});
   EXPECT_EQ(said.code, 4) << said.err;
   EXPECT_NE(said.out.find("timeout: not done after 0.2 s"), std::string::npos) << said.out;
-  EXPECT_EQ(json("out/run.json").at("status"), "timeout");
+  EXPECT_EQ(json("out/run.json").at("outcome").at("status"), "timeout");
   EXPECT_EQ(test::call_program({"run", case_, "--time-limit", "600", "--quiet", "--out", out()}).code, 0);
 }
 
@@ -130,7 +130,7 @@ TEST_F(Limits, WhatHasNoEndIsNoData) {
                              {"bench", folder_.write("network.toml", network)},
                              {"run", folder_.write("packing.toml", packing)},
                              {"report", data},
-                             {"gate", data},
+                             {"gate", data, "--baseline", data},
                              {"compare", data, data}}) {
       const auto said = test::call_program(line);
       EXPECT_EQ(said.code, 3) << line[0] << ' ' << data << ": " << said.err;

@@ -75,13 +75,19 @@ Tree electric(const std::string& kind) {
           {"fixed", Tree::array({{{"where", "top"}, {"value", 1e-6}}})}};
 }
 
-Tree fields() {
+/// With the figures of a source and a benchmark.
+Tree full_head() {
   Tree tree = head();
-  tree["probe"] = {"mid-height", 13};
   tree["published"] =
       Tree::parse(R"({ "particles": 27, "relative_density": 0.7, "effective_conductivity": 1.0,
     "lambda_max": 1.0, "lambda_min": 1.0, "critical_step": 1.0, "pair_step": 1.0, "alpha_star": 0.7 })");
   tree["bench"] = {{"baseline", "forward-euler"}, {"integrators", {"rkc"}}};
+  return tree;
+}
+
+Tree fields() {
+  Tree tree = full_head();
+  tree["probe"] = {"mid-height", 13};
   tree["packing"] = Tree::parse(R"({ "file": "lattice.csv", "length_unit": "mm",
     "container": { "width": 5.8, "depth": 5.8, "height": 5.8 } })");
   tree["material"] = {{"density", 1000.0}};
@@ -134,7 +140,7 @@ Tree materials() {
 
 Tree network(const CaseFolder& folder) {
   (void)write_rod(folder, {.nodes = 5, .head = {}, .bench = {}});
-  Tree tree = head();
+  Tree tree = full_head();
   tree["probe"] = 2;
   tree["network"] = {{"nodes", "rod_nodes.csv"}, {"edges", "rod_edges.csv"}, {"field", "temperature"}};
   return tree;
