@@ -108,6 +108,7 @@ void Integrator::start(double t, std::span<const double> y) {
   find_spans_once(t, y);
   state_.assign(y.begin(), y.end());
   counted_ = statistics_ = {};
+  sweeps_before_ = whole_->counters().sweeps;
   lawless_ = 0;
   method_->reset_counts();
   settling_.restart();
@@ -223,6 +224,22 @@ Outcome Integrator::look_at(std::span<const double> y) {
   if (auto violation = rhs_->law_violation(y, law_slack()))
     return {Status::failed, fmt::format("at t = {:.6g} s {}", t_, *violation)};
   return guard_.check(t_, y, *rhs_);
+}
+
+Outcome Integrator::may_go_on() const {
+  constexpr std::uint64_t most_steps = 1'000'000'000'000;
+  if (guard_.stop_requested()) return interrupted_at(t_);
+  if (counted_.steps > most_steps)
+    return {
+        Status::failed,
+        fmt::format("more than {:.0g} steps by t = {:.6g} s; loosen the tolerance, or take another method",
+                    static_cast<double>(most_steps), t_)};
+  const std::uint64_t sweeps = whole_->counters().sweeps - sweeps_before_;
+  if (plan_.most_sweeps > 0 && sweeps > plan_.most_sweeps)
+    return {Status::timeout, fmt::format("at t = {:.6g} s it has swept {} times over the network, and {} are "
+                                         "allowed; allow more work, or take another method",
+                                         t_, sweeps, plan_.most_sweeps)};
+  return {};
 }
 
 /// Takes the present state into the extremes that somebody asked for.

@@ -80,6 +80,8 @@ class Integrator {
   /// Where steps have just been turned back by a law, that is why they are short.
   [[nodiscard]] Outcome too_short(std::string why) const;
   [[nodiscard]] Outcome look_at(std::span<const double> y);
+  /// Not ok when the run must not go on: somebody wants it to stop, or its work is beyond what it may be.
+  [[nodiscard]] Outcome may_go_on() const;
   void settle_if_steady();
   void unsettle();
   void complete_state();
@@ -100,6 +102,7 @@ class Integrator {
   StepController controller_{1};
   StateVector state_, next_, slope_, turned_, full_;
   std::vector<double> ends_, driven_rate_;
+  std::uint64_t sweeps_before_ = 0;  // of the right-hand side, when the run began
   std::vector<Propagator::Instant> instants_;
   std::size_t next_instant_ = 0;
   std::size_t next_breakpoint_ = 0;

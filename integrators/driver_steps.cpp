@@ -60,7 +60,7 @@ Outcome Integrator::take_own_steps(double target) {
       if (lattice_.target != target) return {};  // a settled field has left another scene behind
       continue;
     }
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (Outcome outcome = may_go_on(); !outcome.ok()) return outcome;
   }
   return {};
 }
@@ -114,7 +114,7 @@ Outcome Integrator::after_step() {
   publish();
   note_extremes();
   settle_if_steady();
-  if (guard_.stop_requested()) return interrupted_at(t_);
+  if (Outcome outcome = may_go_on(); !outcome.ok()) return outcome;
   if (++since_look_ < RunGuard::stride) return {};
   return look_at(state_);
 }
@@ -160,7 +160,7 @@ Outcome Integrator::take_controlled_steps(double target) {
         step_ = h * (look.stable ? 0.5 : std::clamp(look.limit / h, smallest_shrink, 0.5));
       else
         step_ = controller_.after_rejection(h, relative);
-      if (guard_.stop_requested()) return interrupted_at(t_);
+      if (Outcome outcome = may_go_on(); !outcome.ok()) return outcome;
       continue;
     }
     rejected = 0;

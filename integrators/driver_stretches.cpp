@@ -36,7 +36,7 @@ Outcome Integrator::propagate_to(double target) {
     if (reached) ++next_instant_;
     publish();
     if (recorder_.history() && !settled_at_) propagator_->record(*recorder_.history());
-    if (guard_.stop_requested()) return interrupted_at(t_);
+    if (Outcome outcome = may_go_on(); !outcome.ok()) return outcome;
     const bool visible = (reached && instant.state) || propagator_->stops_on_the_way();
     if (!visible) continue;
     const auto y = propagator_->state();

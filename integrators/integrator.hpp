@@ -50,6 +50,7 @@ struct Plan {
   std::vector<FieldRange>* extremes = nullptr;  ///< [fields] gain the values at step ends; may be null
   ProbeHistory* history = nullptr;              ///< where step ends are recorded; may be null
   const std::atomic<bool>* stop = nullptr;      ///< set from outside: stop at the next step end
+  std::uint64_t most_sweeps = 0;           ///< of the right-hand side, looked at at step ends; 0 = no limit
   std::atomic<double>* reached = nullptr;  ///< gains the time at step ends, for one who watches; may be null
 };
 

@@ -4,16 +4,21 @@
 /// `order` says how the substeps are carried out: `recurrence` as the equivalent first-order RKC recurrence
 /// and `leja` as reordered Euler steps keep rounding small; `natural` is the published order and loses all
 /// digits for large n. Thermoelectric scenes are staggered: see step_halves.
+///
+/// `n=auto` is the same polynomial under error control: supersteps as long as the tolerance allows, whatever
+/// the inputs do, and as many substeps as each of them needs.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/state_vector.hpp"
 #include "integrators/detail/explicit/critical_step.hpp"
+#include "integrators/detail/explicit/stabilised.hpp"
 #include "integrators/detail/explicit/superstep_engine.hpp"
 #include "integrators/registry.hpp"
 #include "integrators/schemes/super_step.hpp"
@@ -25,27 +30,38 @@ namespace {
 constexpr int default_substeps = 10;
 constexpr double default_damping = 1e-3;
 constexpr int most_leja_substeps = 256;
-constexpr double default_auto_rtol = 1e-3;
+constexpr int most_substeps = 10'000;
 
-/// Substeps and damping of `n=auto`.
-struct AutoSuperstep {
-  int n = 1;
-  double nu = 0.5;
-};
+/// Supersteps of `n=auto`: as long as the error allows, n as stability then asks. The damping at the stiff
+/// end, 1/cosh(2 n sqrt(nu)), is held at one half, which keeps two thirds of the longest superstep n^2 h_cr.
+double automatic_damping(int n) {
+  constexpr double exponent = 1.317;  // acosh(2) = 2 n sqrt(nu)
+  return std::min(0.5, exponent * exponent / (4.0 * n * n));
+}
 
-/// A first-order superstep H leaves an error of about 0.1 H/t of the span at time t of a diffusive transient
-/// (measured between 0.04 and 0.09 on packings), so that the first output time and the tolerance give H. The
-/// damping at the stiff end, 1/cosh(2 n sqrt(nu)), is held at one half, which keeps two thirds of the longest
-/// superstep n^2 h_cr.
-AutoSuperstep choose_superstep(double wanted, double critical_step) {
-  constexpr double exponent = 1.317;   // acosh(2) = 2 n sqrt(nu)
-  constexpr double part_kept = 0.658;  // tanh(exponent)/exponent
-  constexpr double most = 10'000;
-  AutoSuperstep out;
-  out.n =
-      static_cast<int>(std::clamp(std::floor(std::sqrt(wanted / (part_kept * critical_step))), 1.0, most));
-  out.nu = std::min(0.5, exponent * exponent / (4.0 * out.n * out.n));
-  return out;
+void build_automatic(int n, ThreeTermScheme& scheme) {
+  const double nu = automatic_damping(n);
+  first_order_chebyshev(n, 2 * nu / (1 - nu), scheme);
+}
+
+double automatic_beta(int n) {
+  constexpr double critical = 2;  // h lambda of forward Euler
+  return critical * superstep_length(n, automatic_damping(n));
+}
+
+const StabilisedFamily& automatic_family() {
+  static const StabilisedFamily family{.name = "sts",
+                                       .order = 1,
+                                       .fewest_stages = 1,
+                                       .stage_step = 1,
+                                       .beta = automatic_beta,
+                                       .build = build_automatic,
+                                       .most_stages = most_substeps};
+  return family;
+}
+
+bool is_automatic(const Options& options) {
+  return options.word("n", "") == "auto";
 }
 
 class SuperTimeStepping final : public OneStepMethod {
@@ -54,24 +70,13 @@ class SuperTimeStepping final : public OneStepMethod {
       : critical_step_(options),
         n_(options.integer("n").value_or(default_substeps)),
         nu_(options.number("nu").value_or(default_damping)),
-        order_(options.word("order", "")),
-        automatic_(options.word("n", "") == "auto"),
-        rtol_(options.number("rtol").value_or(default_auto_rtol)) {
-    if (!automatic_ && options.has("rtol"))
-      throw UsageError("sts: rtol goes with n=auto; leave it out, or choose that");
-    if (automatic_ && options.has("nu")) throw UsageError("sts: n=auto chooses nu as well; leave nu out");
+        order_(options.word("order", "")) {
+    if (options.has("rtol")) throw UsageError("sts: rtol goes with n=auto; leave it out, or choose that");
   }
 
   void prepare(Rhs& rhs, const Task& task) override {
     rhs_ = &rhs;
     critical_step_.prepare(rhs, task.spans);
-    if (automatic_) {
-      const std::vector<double> zero(rhs.size(), 0.0);
-      const double first_output = task.plan->output_times.front() - task.t_begin;
-      const auto chosen = choose_superstep(10 * rtol_ * first_output, critical_step_.at(task.t_begin, zero));
-      n_ = chosen.n;
-      nu_ = chosen.nu;
-    }
     halves_ = rhs.one_way();
     plan_ = SuperstepPlan::make(n_, nu_, order_.empty() ? default_order() : order_);
     if (!halves_) return whole_.prepare(rhs);
@@ -81,7 +86,6 @@ class SuperTimeStepping final : public OneStepMethod {
     driver_state_.resize(halves_->driver().size());
   }
 
-  [[nodiscard]] double rtol() const override { return automatic_ ? rtol_ : 0; }
   [[nodiscard]] Pace pace() const override { return Pace::multiples; }
   [[nodiscard]] double own_step(double t, std::span<const double> y) override {
     return critical_step_.at(t, y) * superstep_length(n_, nu_);
@@ -108,12 +112,6 @@ class SuperTimeStepping final : public OneStepMethod {
   void add_counts(Statistics& statistics) const override {
     statistics.max_stages = std::max(statistics.max_stages, n_);
     if (statistics.time_per_sweep == 0) statistics.time_per_sweep = superstep_ / n_;
-  }
-  [[nodiscard]] std::string choice() const override {
-    if (!automatic_) return {};
-    return fmt::format(
-        "n = {}, nu = {:.3g}: superstep {:.3g} s for a tolerance of {:.1g} at the first output time", n_, nu_,
-        superstep_, rtol_);
   }
 
  private:
@@ -143,8 +141,6 @@ class SuperTimeStepping final : public OneStepMethod {
   int n_;
   double nu_;
   std::string order_;
-  bool automatic_;
-  double rtol_;
   Rhs* rhs_ = nullptr;
   SuperstepPlan plan_;
   OneWayCoupling* halves_ = nullptr;  ///< null: the state is stepped as a whole
@@ -153,15 +149,24 @@ class SuperTimeStepping final : public OneStepMethod {
   double superstep_ = 0;  ///< the first one [s]
 };
 
+std::unique_ptr<Method> make_sts(const Options& options) {
+  if (!is_automatic(options)) return std::make_unique<SuperTimeStepping>(options);
+  for (const char* key : {"nu", "order", "step", "alpha", "fraction", "bound"})
+    if (options.has(key))
+      throw UsageError(
+          fmt::format("sts: n=auto chooses supersteps and damping by itself; leave {} out", key));
+  return std::make_unique<Stabilised>(automatic_family(), options);
+}
+
 std::vector<OptionKey> sts_keys() {
   std::vector<OptionKey> keys = {
       {.name = "n",
        .type = OptionKey::Type::integer,
        .min = 1,
-       .max = 10000,
+       .max = most_substeps,
        .words = {"auto"},
        .fallback = "10",
-       .meaning = "substeps in a superstep; auto chooses n and nu from the spectrum and rtol"},
+       .meaning = "substeps in a superstep; auto: supersteps as long as rtol allows, n and nu follow"},
       {.name = "nu",
        .min = 0,
        .max = 1,
@@ -178,7 +183,7 @@ std::vector<OptionKey> sts_keys() {
   keys.push_back({.name = "rtol",
                   .min = 1e-14,
                   .max = 0.5,
-                  .fallback = "1e-3",
+                  .fallback = "1e-4",
                   .meaning = "with n=auto: error wanted at output times, relative to the span"});
   for (auto& key : critical_step_keys()) keys.push_back(std::move(key));
   return keys;
@@ -230,7 +235,7 @@ IntegratorEntry sts_entry() {
           .ladder = {"sts:n=10,nu=0.05,alpha=1", "sts:n=5,nu=1e-2", "sts:n=10,nu=1e-2", "sts:n=20,nu=1e-3",
                      "sts:n=40,nu=1e-3", "sts:n=auto,rtol=1e-2", "sts:n=auto,rtol=1e-3"},
           .stability = {.functions = stability_functions, .limits = stability_limits},
-          .make = [](const Options& options) { return std::make_unique<SuperTimeStepping>(options); }};
+          .make = make_sts};
 }
 
 }  // namespace superstep

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Everything that takes longer than continuous integration may: the suite under sanitizers, the audit over hundreds of
-# scenes, warnings as errors with every compiler that is installed, shellcheck where it is. Hours on two cores.
+# scenes, kills, failing calls, fuzzers, warnings as errors with every compiler that is installed, shellcheck where it is. Hours on two cores.
 #   full.sh [SEEDS]   scenes of the audit (default 500)
 set -euo pipefail
 # shellcheck source=bench/setup.sh
@@ -17,6 +17,11 @@ for check in "" --reference --shift --spans; do
   # shellcheck disable=SC2086
   "$audit" --seeds "1:$((seeds + 1))" --jobs "$(nproc)" --list-bad $check
 done
+
+# Two hundred kills of each command, and every call of every command failing once.
+tests/faults/kills.py build/release/bin/superstep 200
+tests/faults/injections.py build/release/bin/superstep build/release/tests/superstep_inject.so 0
+if command -v clang++ >/dev/null; then tests/fuzz/run.sh 3600; fi
 
 build_preset dev
 if command -v clang++ >/dev/null; then

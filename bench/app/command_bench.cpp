@@ -86,6 +86,7 @@ void take(const Arguments& values, Benchmark& command, Options& options, int rep
   options.reference = values.reference;
   options.use_cache = !values.no_cache;
   options.repetitions = repetitions_of(values, repetitions);
+  options.limits = run_limits(values, usual_time_limit);
 }
 
 Command make_work_precision(const Arguments& values) {
@@ -168,6 +169,8 @@ CommandEntry bench_command() {
             "method that errors are measured against, or none (default: the exponential where it is exact, "
             "else CVODE; each checked by a method of another family)",
             "SPEC"},
+           time_limit_option(fmt::format("{:g}", usual_time_limit)),
+           max_work_option(),
            {"--work-precision", &Arguments::work_precision,
             "sweep every method over tolerances and steps; say who is fastest at each error", ""},
            {"--report", &Arguments::report, "write report.html beside the results as well", ""},

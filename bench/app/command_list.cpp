@@ -1,13 +1,16 @@
 /// superstep list: what can be chosen by name.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
+#include "case/keys/case_keys.hpp"
 #include "contact/neck.hpp"
 #include "core/error.hpp"
 #include "core/text/toml.hpp"
@@ -99,13 +102,45 @@ std::string list_json(const std::vector<FoundCase>& cases) {
   return json_text(out);
 }
 
+std::string keys_text() {
+  std::string out =
+      "| key | cases | type | range | unit | default | meaning |\n|---|---|---|---|---|---|---|\n";
+  for (const auto& key : case_keys())
+    out +=
+        fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", key.place, fmt::join(key.scene_names(), ", "),
+                    key.type_text(), key.range_text(), key.unit, key.fallback, key.meaning);
+  return out;
+}
+
+std::string keys_json() {
+  const auto end = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  Json out = {{"schema", "superstep.keys"}, {"schema_version", 1}, {"keys", Json::array()}};
+  for (const auto& key : case_keys())
+    out["keys"].push_back({{"key", key.place},
+                           {"cases", key.scene_names()},
+                           {"type", key.type_text()},
+                           {"min", end(key.min)},
+                           {"min_open", key.min_open},
+                           {"max", end(key.max)},
+                           {"max_open", key.max_open},
+                           {"words", key.words},
+                           {"unit", key.unit},
+                           {"default", key.fallback},
+                           {"meaning", key.meaning}});
+  return out.dump(2) + "\n";
+}
+
 Command from_line(const Arguments& values) {
-  return ListCommand{common_options(values)};
+  return ListCommand{common_options(values), values.keys};
 }
 
 }  // namespace
 
 int execute(const ListCommand& command) {
+  if (command.keys) {
+    print_data(command.common.json ? keys_json() : keys_text());
+    return 0;
+  }
   const auto cases = find_cases();
   print_data(command.common.json ? list_json(cases) : list_text(cases, use_color(command.common.color)));
   return 0;
@@ -118,11 +153,12 @@ int execute(const ShowText& command) {
 
 CommandEntry list_command() {
   return {.name = "list",
-          .does = "integrators with their keys, neck laws and cases",
-          .examples = "  superstep list\n  superstep list --json",
+          .does = "integrators with their keys, neck laws and cases; the keys of case files",
+          .examples = "  superstep list\n  superstep list --json\n  superstep list --keys --json",
           .positional = "",
           .positional_meaning = "",
-          .options = {},
+          .options = {{"--keys", &Arguments::keys,
+                       "the keys of case files instead: a table in Markdown, or --json", ""}},
           .make = from_line};
 }
 

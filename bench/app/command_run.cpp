@@ -52,9 +52,11 @@ struct FinishedRun {
 };
 
 FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::string& spec, Progress& progress,
-                      VtkSeries* vtk, bool verified) {
+                      VtkSeries* vtk, const RunCommand& command) {
   FinishedRun run;
-  RunRequest request{.probes = &probes, .stop = &stop_flag(), .progress = &progress};
+  const bool verified = command.verify;
+  RunRequest request{
+      .probes = &probes, .stop = &stop_flag(), .progress = &progress, .limits = command.limits};
   request.observe = [&](std::size_t output, double t, std::span<const double> state) {
     if (vtk) vtk->add(t, state);
     if (verified) run.states.emplace_back(state.begin(), state.end());
@@ -64,7 +66,7 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::str
   run.result = run_one(scene, spec, request);
   progress.end();
   if (verified && run.result.outcome.ok()) {
-    run.check = check_run(scene, spec, run.result, run.states, stop_flag(), progress);
+    run.check = check_run(scene, spec, run.result, run.states, stop_flag(), progress, command.limits);
     run.result.outcome = judge_check(scene, *run.check);
   }
   return run;
@@ -106,7 +108,8 @@ Command from_line(const Arguments& values) {
                      .verify = values.verify,
                      .vtk = values.vtk,
                      .checkpoint = std::nullopt,
-                     .restart = values.restart};
+                     .restart = values.restart,
+                     .limits = run_limits(values, 0)};
   if (!values.tolerance.empty()) command.tolerance = parse_positive_option("--tolerance", values.tolerance);
   if (!values.checkpoint.empty())
     command.checkpoint = parse_positive_option("--checkpoint", values.checkpoint);
@@ -139,8 +142,7 @@ int execute(const RunCommand& command) {
     if (command.vtk) vtk.emplace(scene, folders[k]);
     if (!command.vtk && !quiet && has_vtk_series(folders[k]))
       note(fmt::format("{}/vtk holds the fields of an earlier run", folders[k]));
-    const FinishedRun run =
-        integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr, command.verify);
+    const FinishedRun run = integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr, command);
     RunRecord record = record_run(scene, specs[k], run.result);
     record.cpu_setup = cpu_setup;
     record.threads = command.common.threads;
@@ -178,6 +180,8 @@ CommandEntry run_command() {
            {"--out", &Arguments::out, "folder for final.csv, probes.csv, run.json", "DIR"},
            {"--verify", &Arguments::verify,
             "run again by a method of another family, ten times tighter, and print the error delivered", ""},
+           time_limit_option("none"),
+           max_work_option(),
            {"--vtk", &Arguments::vtk, "write particles and contacts at every output time for ParaView", ""},
            {"--checkpoint", &Arguments::checkpoint,
             "moving particles: simulated time [s] between writes of DIR/checkpoint.bin", "T"},

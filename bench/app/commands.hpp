@@ -30,6 +30,7 @@ struct RunCommand {
   bool vtk = false;                      ///< write particles and contacts for ParaView
   std::optional<double> checkpoint;      ///< simulated time between checkpoints [s]; moving particles only
   std::string restart;                   ///< checkpoint to go on from; empty = none; moving particles only
+  RunLimits limits;                      ///< of each run
 };
 
 struct BenchCommand {
@@ -79,6 +80,7 @@ struct PackCommand {
 
 struct ListCommand {
   CommonOptions common;
+  bool keys = false;  ///< those of case files
 };
 
 /// superstep report

@@ -10,20 +10,35 @@
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "core/text/text_file.hpp"
+#include "core/text/toml.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
+
+namespace {
+
+/// SPECs out of a case file: what is wrong with them is the file's fault, at its line.
+void check_specs_of(const Scene& scene) {
+  const auto check = [&](const std::vector<std::string>& specs, const char* key) {
+    try {
+      check_specs(specs);
+    } catch (const UsageError& error) {
+      TomlTable root = TomlTable::parse_file(scene.file);
+      TomlTable bench = *root.table("bench");
+      throw InputError(fmt::format("{}: {}", bench.require(key, "").where(), error.what()));
+    }
+  };
+  check(scene.bench.integrators, "integrators");
+  check({scene.bench.baseline}, "baseline");
+}
+
+}  // namespace
 
 LoadedCase load_case(const std::string& file) {
   const double begin = process_cpu_seconds();
   Scene scene = load_scene(file);
   const double cpu_setup = process_cpu_seconds() - begin;
-  try {
-    check_specs(scene.bench.integrators);
-    check_specs({scene.bench.baseline});
-  } catch (const UsageError& error) {  // in a case file it is the file that has to be mended
-    throw InputError(fmt::format("{}: [bench]: {}", file, error.what()));
-  }
+  check_specs_of(scene);
   return {std::move(scene), cpu_setup};
 }
 

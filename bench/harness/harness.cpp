@@ -132,8 +132,10 @@ BenchCase CaseBench::describe() const {
 
 void CaseBench::find_reference(BenchCase& out) {
   if (options_.reference == "none") return;
-  auto result =
-      obtain_reference(scene_, probes_, {options_.reference, options_.use_cache, options_.stop}, progress_);
+  auto result = obtain_reference(
+      scene_, probes_,
+      {options_.reference, options_.use_cache, options_.stop, limits_of_reference(options_.limits)},
+      progress_);
   out.warnings.insert(out.warnings.end(), result.warnings.begin(), result.warnings.end());
   reference_ = std::move(result.reference);
   if (reference_ && scene_.packed) observations_.slice = slice_of(scene_, *reference_);
@@ -176,7 +178,7 @@ void CaseBench::verify_one(Contender& contender) {
   if (stopped()) return;
   progress_.begin("verifying " + position(contender), scene_.t_end);
   auto result = verify(scene_, probes_, contender.row.spec, reference_ ? &*reference_ : nullptr,
-                       options_.stop, &progress_);
+                       options_.stop, &progress_, options_.limits);
   progress_.end();
   if (result.outcome.status == Status::interrupted) return;
   contender.verified = true;
@@ -195,10 +197,12 @@ void CaseBench::verify_one(Contender& contender) {
 // The warm-up is an ordinary run: nothing is tracked, so its counts and its memory are those of the timed
 // runs.
 void CaseBench::warm_up(Contender& contender) {
-  if (stopped() || !contender.verified || contender.outcome.status == Status::refused) return;
+  const Status known = contender.outcome.status;
+  if (stopped() || !contender.verified || known == Status::refused || known == Status::timeout) return;
   progress_.begin("warming up " + position(contender), scene_.t_end);
   reset_peak_memory();
-  RunRequest request{.spans = spans(), .stop = options_.stop, .progress = &progress_};
+  RunRequest request{
+      .spans = spans(), .stop = options_.stop, .progress = &progress_, .limits = options_.limits};
   std::optional<SliceRecorder> slice;
   if (scene_.packed && !observations_.slice) {  // there is no reference to take a picture of
     slice.emplace(scene_);
@@ -243,7 +247,11 @@ void CaseBench::time_one(Contender& contender) {
   constexpr double share = 0.04;
   const double length = contender.cpu_stepping.empty() ? 0 : share * contender.cpu_stepping.back();
   const double before = yardstick_.seconds(length);
-  const RunResult run = run_one(scene_, contender.row.spec, {.spans = spans(), .stop = options_.stop});
+  const RunResult run =
+      run_one(scene_, contender.row.spec,
+              {.spans = spans(),
+               .stop = options_.stop,
+               .limits = {.seconds = options_.limits.seconds, .sweeps = options_.limits.sweeps, .say = {}}});
   if (run.outcome.status == Status::interrupted) return;
   if (!run.outcome.ok()) return fail(contender, run.outcome);
   contender.cpu_total.push_back(cpu_setup_ + run.cpu_prepare + run.cpu_stepping);
@@ -314,27 +322,6 @@ void CaseBench::finish(BenchCase& out) {
 }
 
 }  // namespace
-
-std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked) {
-  std::vector<std::string> specs = asked.empty() ? scene.bench.integrators : asked;
-  if (specs.empty()) specs = representatives();
-  if (std::find(specs.begin(), specs.end(), scene.bench.baseline) == specs.end())
-    specs.push_back(scene.bench.baseline);
-  return specs;
-}
-
-std::vector<std::size_t> round_order(std::size_t n, std::size_t round) {
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < n; ++k) order.push_back((k + round) % n);
-  return order;
-}
-
-Timing summarize(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  const std::size_t n = seconds.size();
-  return {
-      .median = 0.5 * (seconds[(n - 1) / 2] + seconds[n / 2]), .min = seconds.front(), .max = seconds.back()};
-}
 
 BenchCase bench_case(const Scene& scene, double cpu_setup, const HarnessOptions& options,
                      Progress& progress) {

@@ -11,24 +11,32 @@
 
 #include "bench/harness/reference.hpp"
 #include "bench/host/progress.hpp"
+#include "bench/measure/run_limits.hpp"
 #include "case/scene.hpp"
 #include "results/results.hpp"
 
 namespace superstep {
 
+/// Wall time after which a benchmark goes on without a method [s].
+inline constexpr double usual_time_limit = 600;
+
 struct HarnessOptions {
   std::vector<std::string> integrators;  ///< SPECs; empty = those of the case
   std::string reference;  ///< SPEC; empty = as the scene needs; "none" = errors are not measured
   bool use_cache = true;
-  int repetitions = 3;                      ///< timed runs of each method, >= 1
-  int threads = 1;                          ///< recorded beside the timings
-  std::optional<SampledMeasure> sampled;    ///< rule of a published table; empty = nothing is published
-  const std::atomic<bool>* stop = nullptr;  ///< Ctrl-C: what has been verified by then is reported
+  int repetitions = 3;                            ///< timed runs of each method, >= 1
+  int threads = 1;                                ///< recorded beside the timings
+  std::optional<SampledMeasure> sampled;          ///< rule of a published table; empty = nothing is published
+  RunLimits limits{.seconds = usual_time_limit};  ///< of each method in each repetition
+  const std::atomic<bool>* stop = nullptr;        ///< Ctrl-C: what has been verified by then is reported
 };
 
 /// SPECs that a case is benchmarked with: those asked for, else those of the case, else all families; the
 /// baseline is appended when it is not among them.
 [[nodiscard]] std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked);
+
+/// What the reference may cost where a method may cost that: it is nobody's choice, so only time counts.
+[[nodiscard]] RunLimits limits_of_reference(const RunLimits& limits);
 
 /// Order of n contenders in a round: rotated by one from round to round, so that none always follows the same
 /// one.

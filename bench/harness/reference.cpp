@@ -133,7 +133,8 @@ class ReferenceSearch {
                        .spans = reference_.spans,
                        .probes = &probes_,
                        .stop = wanted_.stop,
-                       .progress = &progress_};
+                       .progress = &progress_,
+                       .limits = wanted_.limits};
     request.observe = [&](std::size_t, double, std::span<const double> state) {
       run.states.emplace_back(state.begin(), state.end());
     };

@@ -8,6 +8,7 @@
 
 #include "bench/host/progress.hpp"
 #include "bench/measure/probe_set.hpp"
+#include "bench/measure/run_limits.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
 
@@ -17,6 +18,7 @@ struct ReferenceRequest {
   std::string spec;  ///< empty = as the scene needs
   bool use_cache = true;
   const std::atomic<bool>* stop = nullptr;
+  RunLimits limits = {};  ///< of each of the two runs
 };
 
 struct Reference {

@@ -10,10 +10,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 #include "core/atomic_file.hpp"
 #include "core/hash.hpp"
@@ -101,6 +103,8 @@ std::string cache_file(const std::string& key) {
 }
 
 std::optional<CachedReference> read_cached_reference(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   const std::string content{std::istreambuf_iterator<char>(stream), {}};

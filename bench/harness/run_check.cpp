@@ -27,7 +27,7 @@ std::string other_family(const Scene& scene, const std::string& spec, const RunR
 
 RunCheck check_run(const Scene& scene, const std::string& spec, const RunResult& run,
                    std::span<const std::vector<double>> states, const std::atomic<bool>& stop,
-                   Progress& progress) {
+                   Progress& progress, const RunLimits& limits) {
   constexpr double tighter = 0.1, tightest = 1e-12;
   RunCheck check;
   const double rtol = make_method(spec)->rtol();
@@ -35,7 +35,7 @@ RunCheck check_run(const Scene& scene, const std::string& spec, const RunResult&
                               std::max(tightest, tighter * (rtol > 0 ? rtol : usual_tolerance)));
   const auto fields = scene.rhs->fields();
   check.distance.assign(fields.size(), 0.0);
-  RunRequest request{.spans = run.spans, .stop = &stop, .progress = &progress};
+  RunRequest request{.spans = run.spans, .stop = &stop, .progress = &progress, .limits = limits};
   request.observe = [&](std::size_t k, double, std::span<const double> state) {
     for (std::size_t f = 0; f < fields.size(); ++f)
       check.distance[f] = std::max(check.distance[f], deviation(fields[f], states[k], state).rms);

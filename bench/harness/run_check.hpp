@@ -25,7 +25,7 @@ struct RunCheck {
 ///   states  [output times] of the run that is checked
 [[nodiscard]] RunCheck check_run(const Scene& scene, const std::string& spec, const RunResult& run,
                                  std::span<const std::vector<double>> states, const std::atomic<bool>& stop,
-                                 Progress& progress);
+                                 Progress& progress, const RunLimits& limits = {});
 
 /// What the distance makes of a run that ended well: ok, or inaccurate.
 [[nodiscard]] Outcome judge_check(const Scene& scene, const RunCheck& check);

@@ -131,13 +131,15 @@ void measure_probe_errors(const ProbeHistory& run, const ProbeHistory& reference
 }
 
 Verification verify(const Scene& scene, const ProbeSet& probes, const std::string& spec,
-                    const Reference* reference, const std::atomic<bool>* stop, Progress* progress) {
+                    const Reference* reference, const std::atomic<bool>* stop, Progress* progress,
+                    const RunLimits& limits) {
   Verification result;
   OutputErrors outputs(scene, reference, result.errors);
   RunRequest request{.spans = reference ? reference->spans : std::vector<double>{},
                      .probes = &probes,
                      .stop = stop,
-                     .progress = progress};
+                     .progress = progress,
+                     .limits = limits};
   request.observe = [&](std::size_t k, double t, std::span<const double> state) {
     outputs.observe(k, t, state);
   };

@@ -8,6 +8,7 @@
 
 #include "bench/harness/reference.hpp"
 #include "bench/measure/probe_set.hpp"
+#include "bench/measure/run_limits.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
 #include "results/results.hpp"
@@ -25,7 +26,7 @@ struct Verification {
 /// whose error is beyond what anybody can call a result is `inaccurate`.
 [[nodiscard]] Verification verify(const Scene& scene, const ProbeSet& probes, const std::string& spec,
                                   const Reference* reference, const std::atomic<bool>* stop,
-                                  Progress* progress);
+                                  Progress* progress, const RunLimits& limits = {});
 
 /// Errors at one probe of a run: mean over the transient's step ends and the decay fitted to them.
 ///   slot   position of the probe in both histories; t_end [s]

@@ -54,8 +54,10 @@ class Sweep {
 
   void find_reference() {
     const ProbeSet probes(scene_);
-    auto result =
-        obtain_reference(scene_, probes, {options_.reference, options_.use_cache, options_.stop}, progress_);
+    auto result = obtain_reference(
+        scene_, probes,
+        {options_.reference, options_.use_cache, options_.stop, limits_of_reference(options_.limits)},
+        progress_);
     if (!result.reference)
       throw NumericalError(fmt::format("the reference did not succeed: {}", result.outcome.reason));
     reference_ = std::move(*result.reference);
@@ -83,7 +85,8 @@ class Sweep {
     WorkPrecisionPoint& point = study_.points[k];
     if (!first && !point.ok()) return;
     progress_.begin(fmt::format("{} of {} {}", k + 1, study_.points.size(), point.spec), scene_.t_end);
-    RunRequest request{.spans = reference_.spans, .stop = options_.stop, .progress = &progress_};
+    RunRequest request{
+        .spans = reference_.spans, .stop = options_.stop, .progress = &progress_, .limits = options_.limits};
     std::vector<double> errors;
     if (first)
       request.observe = [&](std::size_t output, double, std::span<const double> state) {

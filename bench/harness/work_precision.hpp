@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/harness/harness.hpp"
 #include "bench/host/progress.hpp"
 #include "case/scene.hpp"
 #include "results/study/work_precision.hpp"
@@ -17,6 +18,7 @@ struct WorkPrecisionOptions {
   bool use_cache = true;
   int repetitions = 1;
   int threads = 1;
+  RunLimits limits{.seconds = usual_time_limit};  ///< of each point in each repetition
   const std::atomic<bool>* stop = nullptr;
 };
 

@@ -4,10 +4,14 @@
 
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "bench/host/watchdog.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/options.hpp"
 #include "integrators/registry.hpp"
+#include "rhs/one_way.hpp"
 
 namespace superstep {
 namespace {
@@ -28,12 +32,66 @@ class Timer {
   double wall_begin_ = wall_seconds(), cpu_begin_ = process_cpu_seconds();
 };
 
-Plan plan_of(const Scene& scene, const RunRequest& request, RunResult& result) {
+constexpr double first_look = 10;  // s after which a forecast is worth something
+
+/// A method that usually is faster than one of small steps.
+std::string faster_method(Rhs& rhs, const std::string& spec) {
+  const std::string best = exactly_solvable(rhs) ? "exponential" : "rkc", other = "cvode";
+  return parse_spec(spec).name == best ? other : best;
+}
+
+/// What watches one run: its time, and what is to be said about it.
+class Watch {
+ public:
+  Watch(const Scene& scene, const std::string& spec, const RunRequest& request)
+      : scene_(scene), spec_(spec), request_(request), dog_(request.limits.seconds, request.stop) {
+    if (request.progress && request.progress->watched()) reached_ = request.progress->watched();
+  }
+
+  [[nodiscard]] const std::atomic<bool>* flag() const noexcept { return dog_.flag(); }
+  [[nodiscard]] std::atomic<double>* reached() noexcept { return reached_; }
+  void stepping_begins() {
+    if (!request_.limits.say) return;
+    dog_.look_after(first_look, [this, faster = faster_method(*scene_.rhs, spec_)](double seconds) {
+      const double part = reached_->load(std::memory_order_relaxed) / scene_.t_end;
+      const std::string text = forecast_text(spec_, part, seconds, request_.limits.seconds, faster);
+      if (!text.empty()) request_.limits.say(text);
+    });
+  }
+  /// A run that was stopped by us, and not by the user, has run out of time.
+  [[nodiscard]] Outcome judged(Outcome outcome) const {
+    if (outcome.status != Status::interrupted || !dog_.time_is_up()) return outcome;
+    return {Status::timeout, fmt::format("not done after {:g} s of wall time: {}; allow it more with "
+                                         "--time-limit, or take another method",
+                                         request_.limits.seconds, outcome.reason)};
+  }
+
+ private:
+  const Scene& scene_;
+  const std::string& spec_;
+  const RunRequest& request_;
+  std::atomic<double> own_{0}, *reached_ = &own_;
+  Watchdog dog_;  // last: its thread looks at what stands above
+};
+
+/// A method whose number of steps is known is not begun when it is too much.
+Outcome affordable(const Plan& plan, const Statistics& statistics) {
+  if (plan.most_sweeps == 0 || !(statistics.time_per_sweep > 0)) return {};
+  const double sweeps = (plan.output_times.back() - plan.t_begin) / statistics.time_per_sweep;
+  if (sweeps <= static_cast<double>(plan.most_sweeps)) return {};
+  return {Status::refused,
+          fmt::format("it would take {:.3g} sweeps over the network, and {} are allowed; allow "
+                      "more with --max-work, or take another method",
+                      sweeps, plan.most_sweeps)};
+}
+
+Plan plan_of(const Scene& scene, const RunRequest& request, Watch& watch, RunResult& result) {
   Plan plan = scene_plan(scene);
-  plan.stop = request.stop;
+  plan.stop = watch.flag();
+  plan.most_sweeps = request.limits.sweeps;
+  plan.reached = watch.reached();
   plan.spans = result.spans;
   plan.track_inflow = request.track_inflow;
-  if (request.progress) plan.reached = request.progress->watched();
   if (request.probes && !request.probes->entries().empty()) {
     plan.probes = request.probes->entries();
     result.history = request.probes->history();
@@ -64,16 +122,17 @@ Outcome nothing_to_integrate(const Scene& scene, const RunRequest& request, RunR
   return {};
 }
 
-Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& request, RunResult& result) {
+Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& request, Watch& watch,
+                  RunResult& result) {
   try {
     if (scene.rhs->size() == 0) return nothing_to_integrate(scene, request, result);
     result.spans = request.spans;
     if (result.spans.empty() && method.rtol() > 0) {
       double wall = 0;  // not asked for
       const Timer timer(result.cpu_pilot, wall);
-      result.spans = scene_spans(scene, request.stop).spans;
+      result.spans = scene_spans(scene, watch.flag()).spans;
     }
-    const Plan plan = plan_of(scene, request, result);
+    const Plan plan = plan_of(scene, request, watch, result);
     {
       const Timer timer(result.cpu_prepare, result.wall_prepare);
       method.prepare(*scene.rhs, plan);
@@ -82,6 +141,8 @@ Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& requ
       const Timer timer(result.cpu_stepping, result.wall_stepping);
       method.start(plan.t_begin, scene.initial);
     }
+    if (Outcome outcome = affordable(plan, method.statistics()); !outcome.ok()) return outcome;
+    watch.stepping_begins();
     return advance_over_outputs(scene, method, request, result);
   } catch (const Refused& refused) {
     return {Status::refused, refused.what()};
@@ -102,7 +163,11 @@ RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest&
   const auto method = make_integrator(spec);
   RunResult result;
   const RhsCounters before = scene.rhs->counters();
-  result.outcome = integrate(scene, *method, request, result);
+  {
+    Watch watch(scene, spec, request);
+    Outcome outcome = integrate(scene, *method, request, watch, result);
+    result.outcome = watch.judged(std::move(outcome));
+  }
   const RhsCounters after = scene.rhs->counters();
   result.sweeps = after.sweeps - before.sweeps;
   result.jacobians = after.jacobians - before.jacobians;

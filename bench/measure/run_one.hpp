@@ -11,6 +11,7 @@
 
 #include "bench/host/progress.hpp"
 #include "bench/measure/probe_set.hpp"
+#include "bench/measure/run_limits.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
 #include "integrators/spans.hpp"
@@ -24,6 +25,7 @@ struct RunRequest {
   const ProbeSet* probes = nullptr;         ///< record these at step ends
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: stop at the next step end
   Progress* progress = nullptr;
+  RunLimits limits = {};
   /// Called at every output time with its number, the time [s] and the state.
   std::function<void(std::size_t output, double t, std::span<const double> state)> observe = {};
 };

@@ -33,20 +33,28 @@ struct Lane {
 
 /// One repetition of one contact update; the first one counts, the others are only timed.
 void advance(Lane& lane, std::size_t repetition, const MovingNetwork& network, double h,
-             const std::vector<double>& begin) {
+             const std::vector<double>& begin, double most_seconds) {
   if (!lane.outcome.ok()) return;
+  const ThermalBridge& bridge = lane.bridges[repetition];
+  if (most_seconds > 0 && bridge.cpu_stepping() + bridge.cpu_building() > most_seconds) {
+    lane.outcome = {Status::timeout, fmt::format("not done after {:g} s; allow it more with --time-limit, or "
+                                                 "take another method",
+                                                 most_seconds)};
+    return;
+  }
   std::vector<double> temperature = begin;
   Outcome outcome = lane.bridges[repetition].advance(network, h, temperature);
   if (repetition == 0) lane.temperature = std::move(temperature);
   if (!outcome.ok()) lane.outcome = std::move(outcome);
 }
 
-void advance_all(std::vector<Lane>& lanes, std::size_t repetitions, const MovingNetwork& network, double h) {
+void advance_all(std::vector<Lane>& lanes, std::size_t repetitions, const MovingNetwork& network, double h,
+                 double most_seconds) {
   std::vector<std::vector<double>> begin;
   for (const auto& lane : lanes) begin.push_back(lane.temperature);
   for (std::size_t k = 0; k < repetitions; ++k)
     for (const std::size_t lane : round_order(lanes.size(), k))
-      advance(lanes[lane], k, network, h, begin[lane]);
+      advance(lanes[lane], k, network, h, begin[lane], most_seconds);
 }
 
 void raise(Number& worst, double value) {
@@ -136,8 +144,8 @@ BenchCase bench_thermal_lanes(const SinteringCase& one, const HarnessOptions& op
   motion.observe_step = [&](const MovingNetwork& network, double h) {
     ++updates;
     contacts = std::max(contacts, network.contacts().touching());
-    advance_all(lanes, repetitions, network, h);
-    if (referenced) advance_all(exact, 1, network, h);
+    advance_all(lanes, repetitions, network, h, options.limits.seconds);
+    if (referenced) advance_all(exact, 1, network, h, limits_of_reference(options.limits).seconds);
     progress.reached(motion.state().time);
   };
   progress.begin(one.name, one.t_end);

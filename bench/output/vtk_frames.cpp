@@ -33,6 +33,8 @@ bool is_ours(const fs::path& file) {
 std::optional<double> time_of(const std::string& file) {
   constexpr std::streamsize longest_head = 1000;
   constexpr std::string_view before = "format=\"ascii\">", after = "</DataArray>";
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
   std::string head(longest_head, '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(head.data(), longest_head);

@@ -21,6 +21,7 @@ std::vector<double> read_output_times(TomlTable& root, double t_end) {
       value->reject(fmt::format("the times must be > 0, ascending and none after t_end = {} s", t_end));
     previous = t;
   }
+  if (times.empty()) value->reject("there must be at least one time");
   if (previous < t_end) times.push_back(t_end);
   return times;
 }
@@ -34,6 +35,21 @@ void check_spec(const std::string& spec, const std::string& where) {
   }
 }
 
+/// Numbers whose range has two ends.
+void require_ranges(TomlTable& table) {
+  struct Range {
+    const char* key;
+    bool (*holds)(double);
+    const char* rule;
+  };
+  for (const auto& [key, holds, rule] :
+       {Range{"phi", [](double x) { return x >= 0 && x <= 1; }, "it must lie between 0 and 1"},
+        Range{"growth", [](double x) { return x > 1; }, "it must be > 1"},
+        Range{"shrink", [](double x) { return x > 0 && x < 0.9; }, "it must be > 0 and < 0.9"},
+        Range{"fraction", [](double x) { return x > 0 && x <= 2; }, "it must be > 0 and at most 2"}})
+    if (const auto value = table.find(key); value && !holds(value->number())) value->reject(rule);
+}
+
 SteppingSettings read_stepping(TomlTable dynamics) {
   SteppingSettings settings;
   if (const auto spec = dynamics.find("thermal_integrator")) {
@@ -42,6 +58,7 @@ SteppingSettings read_stepping(TomlTable dynamics) {
   }
   if (!dynamics.find("stepping")) return settings;
   TomlTable table = *dynamics.table("stepping");
+  require_ranges(table);
   settings.scheme = word_from(table, "scheme", {"staggered", "plain"}, "staggered") == "plain"
                         ? SteppingSettings::Scheme::plain
                         : SteppingSettings::Scheme::staggered;
@@ -72,9 +89,14 @@ SteppingSettings read_stepping(TomlTable dynamics) {
 void read_bench(TomlTable& root, SinteringCase& one) {
   auto bench = root.table("bench");
   if (!bench) return;
-  const std::string where = bench->where();
-  if (const auto baseline = bench->string("baseline")) one.baseline = *baseline;
-  if (const auto integrators = bench->find("integrators")) one.integrators = integrators->strings();
+  if (const auto baseline = bench->find("baseline")) {
+    one.baseline = baseline->string();
+    check_spec(one.baseline, baseline->where());
+  }
+  if (const auto integrators = bench->find("integrators")) {
+    one.integrators = integrators->strings();
+    for (const auto& spec : one.integrators) check_spec(spec, integrators->where());
+  }
   if (const auto window = bench->find("motion_window")) {
     const auto ends = window->numbers();
     if (ends.size() != 2 || !(ends[0] >= 0 && ends[0] < ends[1] && ends[1] <= one.t_end))
@@ -82,8 +104,6 @@ void read_bench(TomlTable& root, SinteringCase& one) {
           fmt::format("it must be [from, to] in s with 0 <= from < to <= t_end = {} s", one.t_end));
     one.motion_window = {ends[0], ends[1]};
   }
-  check_spec(one.baseline, where);
-  for (const auto& spec : one.integrators) check_spec(spec, where);
 }
 
 }  // namespace
@@ -93,7 +113,15 @@ bool is_sintering_case(const std::string& path) {
 }
 
 SinteringCase load_sintering_case(const std::string& path) {
-  TomlTable root = TomlTable::parse_file(path);
+  return load_sintering_case(TomlTable::parse_file(path));
+}
+
+SinteringCase load_sintering_case(TomlTable root) {
+  const std::string path = root.file();
+  for (const char* key :
+       {"title", "source", "t_end", "output_times", "bench", "material", "thermal", "electric", "dynamics"})
+    (void)root.find(key);
+  root.finish();  // a misspelt table is said first: what follows would only miss it
   SinteringCase one;
   one.file = path;
   one.name = std::filesystem::path(path).stem().string();

@@ -30,5 +30,7 @@ struct SinteringCase {
 
 /// Throws InputError with file, line, value, rule and way out.
 [[nodiscard]] SinteringCase load_sintering_case(const std::string& path);
+/// The same of a file that is parsed already; `root` then knows which keys were asked for.
+[[nodiscard]] SinteringCase load_sintering_case(TomlTable root);
 
 }  // namespace superstep::dynamics

@@ -21,6 +21,15 @@ namespace {
 constexpr double default_settle_tolerance = 1e-9;
 constexpr double default_resolve_change = 1e-6;
 
+/// A misspelt table is said first: what follows would only miss it.
+void require_known_tables(TomlTable& root) {
+  for (const char* key :
+       {"title", "source", "t_end", "output_times", "probe", "bench", "published", "network", "packing",
+        "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
+    (void)root.find(key);
+  root.finish();
+}
+
 void read_times(TomlTable& root, Scene& scene) {
   scene.t_end = root.positive("t_end", "s");
   scene.output_times = {scene.t_end};
@@ -56,7 +65,8 @@ void read_published(TomlTable& root, Scene& scene) {
 }
 
 void read_direct_network(TomlTable& root, TomlTable& network, Scene& scene) {
-  for (const char* other : {"packing", "material", "materials", "contact", "thermal", "electric"})
+  for (const char* other :
+       {"packing", "material", "materials", "interfaces", "contact", "thermal", "electric", "coupling"})
     if (const auto value = root.find(other))
       value->reject("a case with [network] gives nodes and edges directly; remove this, or remove [network]");
   FieldScene field;
@@ -135,10 +145,15 @@ Coupling read_particles(TomlTable& root, Scene& scene) {
 }  // namespace
 
 Scene load_scene(const std::string& path) {
-  TomlTable root = TomlTable::parse_file(path);
+  return load_scene(TomlTable::parse_file(path));
+}
+
+Scene load_scene(TomlTable root) {
+  const std::string path = root.file();
   Scene scene;
   scene.file = path;
   scene.name = std::filesystem::path(path).stem().string();
+  require_known_tables(root);
   scene.title = root.string("title").value_or(scene.name);
   scene.source = root.string("source").value_or("");
   read_times(root, scene);

@@ -54,6 +54,8 @@ Materials::Materials(TomlTable& root, const Packing& packing) {
   if (!several) {
     auto one = root.table("material");
     if (!one) root.missing("material", "[material] is missing; give at least its density [kg/m3]");
+    if (const auto interfaces = root.find("interfaces"))
+      interfaces->reject("interfaces lie between two of [[materials]], and there is one [material]");
     density_.assign(std::max<std::size_t>(1, packing.material_names.size()),
                     one->positive("density", "kg/m3"));
     return;

@@ -12,10 +12,20 @@
 #include "core/text/csv.hpp"
 #include "core/text/suggest.hpp"
 #include "packing/generate.hpp"
+#include "packing/pack_checks.hpp"
 #include "packing/read.hpp"
 
 namespace superstep {
 namespace {
+
+/// Numbers > 0, at least one.
+std::vector<double> positive_numbers(const TomlValue& value) {
+  auto numbers = value.numbers();
+  if (numbers.empty()) value.reject("it must hold at least one number");
+  for (const double number : numbers)
+    if (!(number > 0)) value.reject(fmt::format("it holds {}, and every number must be > 0", number));
+  return numbers;
+}
 
 SizeDistribution read_sizes(TomlTable table, double unit) {
   SizeDistribution sizes;
@@ -31,9 +41,9 @@ SizeDistribution read_sizes(TomlTable table, double unit) {
     }
   } else if (name == "list") {
     sizes.kind = SizeDistribution::Kind::list;
-    sizes.diameters = table.require("diameters", "it lists the diameters").numbers();
+    sizes.diameters = positive_numbers(table.require("diameters", "it lists the diameters"));
     for (auto& diameter : sizes.diameters) diameter *= unit;
-    if (const auto weights = table.find("weights")) sizes.weights = weights->numbers();
+    if (const auto weights = table.find("weights")) sizes.weights = positive_numbers(*weights);
   } else {
     kind.reject("it must be lognormal, uniform or list");
   }
@@ -62,7 +72,12 @@ Packing generate(TomlTable& table, const TomlValue& generator, double unit) {
   }
   settings.container.height = unit * table.positive("height", "length");
   settings.relative_density = table.positive("relative_density", "-");
+  constexpr double densest = 0.9;
+  if (settings.relative_density > densest)
+    table.find("relative_density")->reject(fmt::format("it must be at most {}", densest));
   settings.count = static_cast<std::size_t>(non_negative(table, "count", 0));
+  if (settings.count > largest_packing)
+    table.find("count")->reject(fmt::format("it must be at most {}", largest_packing));
   settings.seed = static_cast<std::uint64_t>(non_negative(table, "seed", 1));
   settings.sizes = read_sizes(table.require("sizes", "it is a table with a distribution").table(), unit);
   try {

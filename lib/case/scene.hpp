@@ -18,6 +18,8 @@
 
 namespace superstep {
 
+class TomlTable;
+
 /// A node whose history is recorded: an entry of the state, or a constant (fixed and idle nodes).
 struct Probe {
   std::string label;  ///< "mid-height" or the id
@@ -104,5 +106,7 @@ struct Scene {
 
 /// Reads a case file and everything that it names, and builds the scene. Throws InputError.
 [[nodiscard]] Scene load_scene(const std::string& path);
+/// The same of a file that is parsed already; `root` then knows which keys were asked for.
+[[nodiscard]] Scene load_scene(TomlTable root);
 
 }  // namespace superstep

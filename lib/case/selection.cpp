@@ -57,6 +57,7 @@ double mean_diameter(const Packing& packing) {
 }
 
 std::vector<char> by_ids(const TomlValue& ids, const Packing& packing) {
+  if (ids.array().empty()) ids.reject("it must hold at least one id");
   std::unordered_map<std::int64_t, std::size_t> position;
   for (std::size_t k = 0; k < packing.size(); ++k) position.emplace(packing.id[k], k);
   std::vector<char> out(packing.size(), 0);

@@ -67,6 +67,7 @@ Packing read_packing(const std::string& path, double unit) {
 
 std::string stated_length_unit(const std::string& path) {
   constexpr std::string_view key = "length_unit";
+  require_regular_file(path);
   std::ifstream stream(
       path);  // the comments at the top alone: whoever reads the rest says what is wrong with it
   std::size_t number = 0;

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 #include "bench/app/cli/cli_values.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
@@ -27,6 +31,27 @@ std::span<const CommandEntry> command_entries() {
 OptionEntry integrator_option(const std::string& fallback) {
   return {"--integrator", &Arguments::integrators, "integrator, may be repeated; default: " + fallback,
           "SPEC"};
+}
+
+OptionEntry time_limit_option(const std::string& fallback) {
+  return {"--time-limit", &Arguments::time_limit,
+          "wall time [s] that one run of a method may take; default: " + fallback, "SECONDS"};
+}
+
+OptionEntry max_work_option() {
+  return {"--max-work", &Arguments::max_work,
+          "sweeps over the network that one run of a method may take; default: any", "SWEEPS"};
+}
+
+RunLimits run_limits(const Arguments& values, double seconds) {
+  constexpr double most_sweeps = 1e18;
+  RunLimits limits{.seconds = seconds};
+  if (!values.time_limit.empty()) limits.seconds = parse_positive_option("--time-limit", values.time_limit);
+  if (!values.max_work.empty())
+    limits.sweeps = static_cast<std::uint64_t>(
+        std::clamp(std::floor(parse_positive_option("--max-work", values.max_work)), 1.0, most_sweeps));
+  if (!values.quiet) limits.say = [](const std::string& forecast) { note(forecast); };
+  return limits;
 }
 
 CommonOptions common_options(const Arguments& values) {

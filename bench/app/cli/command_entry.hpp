@@ -20,10 +20,10 @@ struct Arguments {
   bool quiet = false, json = false;
 
   std::vector<std::string> cases, integrators;
-  std::string tolerance, out, reference, against, checkpoint, restart, baseline;
+  std::string tolerance, out, reference, against, checkpoint, restart, baseline, time_limit, max_work;
   std::optional<std::string> repetitions;
   bool no_cache = false, work_precision = false, quick = false, report = false, vtk = false, verify = false,
-       markdown = false;
+       markdown = false, keys = false;
 
   std::string container = "cylinder", diameter, width, depth, height, count, relative_density, sizes,
               seed = "1", length_unit = "m", file;
@@ -53,6 +53,13 @@ struct CommandEntry {
 
 /// The option that several commands share.
 [[nodiscard]] OptionEntry integrator_option(const std::string& fallback);
+
+/// The options that bound what a run may cost.
+[[nodiscard]] OptionEntry time_limit_option(const std::string& fallback);
+[[nodiscard]] OptionEntry max_work_option();
+/// What they say; forecasts go to stderr unless `quiet`. Throws UsageError.
+///   seconds  where no time limit is given; 0 = none
+[[nodiscard]] RunLimits run_limits(const Arguments& values, double seconds);
 
 /// What every command takes. Throws UsageError.
 [[nodiscard]] CommonOptions common_options(const Arguments& values);

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "bench/app/commands.hpp"
 #include "bench/app/press/sintering_files.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/host/progress.hpp"
+#include "bench/host/watchdog.hpp"
 #include "bench/output/output_folder.hpp"
 #include "bench/output/run_files.hpp"
 #include "bench/output/vtk_frames.hpp"
@@ -24,6 +26,8 @@
 
 namespace superstep {
 namespace {
+
+constexpr double first_look = 10;  // s after which a forecast is worth something
 
 using dynamics::Motion;
 using dynamics::SinteringCase;
@@ -155,15 +159,24 @@ SinteringResult integrate(const SinteringCase& one, const RunCommand& command, c
                           Motion& motion, Progress& progress) {
   SinteringResult result;
   Checkpoints checkpoints(folder + "/checkpoint.bin", command.checkpoint);
-  motion.stop = &stop_flag();
+  std::atomic<double> reached{0};  // outlives the thread that looks at it
+  Watchdog dog(command.limits.seconds, &stop_flag());
+  motion.stop = dog.flag();
   const double cpu = process_cpu_seconds(), wall = wall_seconds();
   begin(one, command, motion);
   Snapshots snapshots(one, command, folder,
                       motion.state().time);  // after a bad checkpoint nothing is touched
   checkpoints.started_at(motion.state().time);
   snapshots.add_frame(motion);
+  if (command.limits.say)
+    dog.look_after(first_look, [&, from = motion.state().time](double seconds) {
+      const double part = std::max(0.0, reached.load() - from) / (one.t_end - from);
+      const std::string text = forecast_text(one.name, part, seconds, command.limits.seconds, "");
+      if (!text.empty()) command.limits.say(text);
+    });
   motion.after_step = [&] {
     progress.reached(motion.state().time);
+    reached = motion.state().time;
     warn_without_path(motion, one.model, result.warnings);
     checkpoints.step_done(one, motion);
   };
@@ -174,10 +187,16 @@ SinteringResult integrate(const SinteringCase& one, const RunCommand& command, c
     snapshots.add_frame(motion);
     if (one.output_times.size() > 1) snapshots.write(k, motion, result);
   }
+  motion.stop = &stop_flag();
+  if (result.outcome.status == Status::interrupted && dog.time_is_up())
+    result.outcome = {Status::timeout,
+                      fmt::format("not done after {:g} s of wall time: {}; go on with --restart",
+                                  command.limits.seconds, result.outcome.reason)};
   result.cpu_stepping = process_cpu_seconds() - cpu;
   result.wall_stepping = wall_seconds() - wall;
   snapshots.finish(motion, result);
-  if (checkpoints.wanted() || result.outcome.status == Status::interrupted) {
+  const Status ended = result.outcome.status;
+  if (checkpoints.wanted() || ended == Status::interrupted || ended == Status::timeout) {
     checkpoints.write(one, motion);
     result.files.emplace_back("checkpoint.bin");
   }
@@ -218,6 +237,10 @@ int run_into(const SinteringCase& one, const RunCommand& command, double cpu_set
 }  // namespace
 
 int run_sintering(const RunCommand& command) {
+  if (command.limits.sweeps > 0)
+    throw UsageError(
+        "run: --max-work counts sweeps over a network that stays as it is; particles that move "
+        "have none, give --time-limit");
   check(command.integrators);
   const double begin_setup = process_cpu_seconds();
   const SinteringCase base = dynamics::load_sintering_case(command.case_file);

@@ -21,6 +21,7 @@ ContactLaw read_contact(TomlTable table) {
   law.friction = number_from(table, "friction", 0, 0, "-");
   law.friction_speed = positive_or(table, "friction_speed", law.friction_speed, "m/s");
   law.damping = number_from(table, "damping", 0, 0, "-");
+  table.finish();  // what depends on a misspelt key would be said of another one
   return law;
 }
 

@@ -11,14 +11,41 @@
 
 namespace superstep {
 
-std::string read_text_file(const std::string& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
+namespace {
+
+const char* kind_of(std::filesystem::file_type type) noexcept {
+  switch (type) {
+    case std::filesystem::file_type::fifo:
+      return "a pipe";
+    case std::filesystem::file_type::socket:
+      return "a socket";
+    default:
+      return "a device";
+  }
+}
+
+}  // namespace
+
+void require_regular_file(const std::string& path, std::uintmax_t most) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     throw InputError(
         fmt::format("{}: no such file; check the path (relative paths start at the case file)", path));
   if (std::filesystem::is_directory(status))
     throw InputError(fmt::format("{}: is a directory; name a file in it", path));
+  if (!std::filesystem::is_regular_file(status))
+    throw InputError(fmt::format("{}: is {}, and no file; save what it holds and name that", path,
+                                 kind_of(status.type())));
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error && size > most)
+    throw InputError(
+        fmt::format("{}: has {} bytes, and at most {} are read; is it the right file?", path, size, most));
+}
+
+std::string read_text_file(const std::string& path, std::uintmax_t most) {
+  require_regular_file(path, most);
+  std::error_code ignored;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   std::string text;

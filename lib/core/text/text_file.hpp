@@ -2,15 +2,23 @@
 /// Whole text files in memory, read line by line without copying.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace superstep {
 
+/// Bytes that a file with data may have: ten times what a table of a hundred million contacts needs.
+inline constexpr std::uintmax_t largest_data_file = std::uintmax_t{1} << 35;
+
+/// Throws InputError unless `path` names a regular file of at most `most` bytes: a device has no end, a pipe
+/// no beginning for the second look, and either would be waited for in vain.
+void require_regular_file(const std::string& path, std::uintmax_t most = largest_data_file);
+
 /// Reads a whole text file. Drops a UTF-8 byte order mark.
-/// Throws InputError for a missing or unreadable file, a directory, an empty file, and binary content (NUL
-/// bytes).
-[[nodiscard]] std::string read_text_file(const std::string& path);
+/// Throws InputError for a missing or unreadable file, anything but a regular file of at most `most` bytes,
+/// an empty file, and binary content (NUL bytes).
+[[nodiscard]] std::string read_text_file(const std::string& path, std::uintmax_t most = largest_data_file);
 
 /// Walks the lines of a text, LF or CRLF, counting from 1.
 class LineReader {

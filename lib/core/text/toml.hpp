@@ -22,7 +22,7 @@ class TomlValue {
   [[nodiscard]] bool is_array() const noexcept;
   [[nodiscard]] bool is_table() const noexcept;
 
-  [[nodiscard]] double number() const;  ///< integer or float, finite
+  [[nodiscard]] double number() const;  ///< integer or float, at most 1e40 in size
   [[nodiscard]] std::int64_t integer() const;
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string string() const;
@@ -64,7 +64,7 @@ class TomlTable {
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
 
   /// Throws InputError because `key` is not there: "where: what", or, where a key that nobody asked for
-  /// looks like it, that one is misspelt.
+  /// looks like it or like one that was asked for, that one is misspelt.
   [[noreturn]] void missing(const std::string& key, const std::string& what) const;
 
   /// Throws InputError for the first key, here or in a table below that was read, that was never asked for;
@@ -73,6 +73,9 @@ class TomlTable {
   /// "file:line: [a.b]"
   [[nodiscard]] std::string where() const;
   [[nodiscard]] const std::string& file() const noexcept;
+  /// Every key that has been asked for in any table of the file, whether it is there or not, by its place:
+  /// `thermal.fixed[0].value`.
+  [[nodiscard]] std::vector<std::string> asked_keys() const;
 
   /// One value of this table or of one inside it: its place, as in `thermal.fixed[0].value`, and its content
   /// with its type, in which numbers that are equal read the same. `text` is what a string holds, else empty.

@@ -1,0 +1,50 @@
+#include "bench/host/watchdog.hpp"
+
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "core/stopwatch.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr auto interval = std::chrono::milliseconds(50);
+
+}  // namespace
+
+Watchdog::Watchdog(double seconds, const std::atomic<bool>* stop)
+    : limit_(seconds), began_(wall_seconds()), stop_(stop) {
+  try {
+    thread_ = std::jthread([this](const std::stop_token& quit) { watch(quit); });
+  } catch (const std::system_error&) {  // no thread to be had: the run goes on unwatched
+  }
+}
+
+Watchdog::~Watchdog() {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+}
+
+void Watchdog::look_after(double delay, std::function<void(double)> look) {
+  const std::lock_guard lock(mutex_);
+  look_from_ = wall_seconds();
+  look_at_ = look_from_ + delay;
+  look_ = std::move(look);
+}
+
+void Watchdog::watch(const std::stop_token& quit) {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, quit, interval, [&] { return quit.stop_requested(); })) {
+    const double now = wall_seconds();
+    if (stop_ && stop_->load(std::memory_order_relaxed)) flag_ = true;
+    if (limit_ > 0 && now - began_ > limit_ && !flag_) {
+      time_is_up_ = true;
+      flag_ = true;
+    }
+    if (look_ && now > look_at_) std::exchange(look_, nullptr)(now - look_from_);
+  }
+}
+
+}  // namespace superstep

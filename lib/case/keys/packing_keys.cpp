@@ -1,0 +1,111 @@
+/// Keys of cases that do not move, and those that every case has.
+
+#include "case/keys/key_list.hpp"
+#include "contact/neck.hpp"
+#include "packing/pack_checks.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr unsigned still = CaseKey::packing | CaseKey::network, all = still | CaseKey::press;
+
+}  // namespace
+
+void list_common_keys(KeyList& keys) {
+  keys.in("", all);
+  keys.text("title", "a name for tables and reports").fallback = "name of the file";
+  keys.text("source", "where the scene comes from");
+  keys.number("t_end", positive_number, "s", "end of the run");
+  keys.numbers("output_times", 0, positive_number, "s", "ascending, none after t_end").fallback = "[t_end]";
+  keys.table("bench", "what `superstep bench` does");
+  keys.in("bench", all);
+  keys.text("baseline", "SPEC that speedups refer to");
+  keys.list("integrators", CaseKey::text, "SPECs that are compared; left out = every family").may_be_empty =
+      true;
+  keys.in("bench", CaseKey::press);
+  keys.numbers("motion_window", 2, no_less_than_zero, "s",
+               "from when to when schemes of motion are compared");
+
+  keys.in("", still);
+  auto& probe =
+      keys.text("probe", "nodes whose history is kept: mid-height, an id, or a list", {"mid-height"});
+  probe.types |= CaseKey::integer | CaseKey::array;
+  probe.elements = CaseKey::integer | CaseKey::text;
+  probe.may_be_empty = true;
+  keys.table("published", "figures of the source, printed beside ours");
+  keys.in("published", still);
+  for (const char* figure : {"particles", "relative_density", "effective_conductivity", "lambda_max",
+                             "lambda_min", "critical_step", "pair_step", "alpha_star"})
+    keys.number(figure, any_number, "", "as published");
+
+  keys.in("", still).table("network", "nodes and edges given directly");
+  keys.in("network", CaseKey::network);
+  keys.text("nodes", "CSV with id,capacity,source,initial,fixed");
+  keys.text("edges", "CSV with i,j,conductance");
+  keys.text("field", "what the values are", {"temperature", "potential"}).fallback = "temperature";
+}
+
+void list_packing_keys(KeyList& keys) {
+  keys.in("", CaseKey::packing).table("packing", "where the particles come from");
+  keys.in("packing", CaseKey::packing);
+  keys.text("file", "packing file: CSV, LAMMPS, LIGGGHTS, Yade, MercuryDPM");
+  keys.text("generator", "or a container that is filled", {"cylinder", "box"});
+  keys.text("length_unit", "of the packing and of selections", {"m", "cm", "mm", "um", "nm"}).fallback = "m";
+  keys.number("diameter", positive_number, "length_unit", "of a cylinder");
+  keys.number("width", positive_number, "length_unit", "of a box");
+  keys.number("depth", positive_number, "length_unit", "of a box");
+  keys.number("height", positive_number, "length_unit", "of either");
+  keys.number("relative_density", {.min = 0, .max = 0.9, .min_open = true}, "",
+              "volume of the spheres over that of the container");
+  keys.integer("count", {.min = 0, .max = static_cast<double>(largest_packing)},
+               "lognormal: spheres, and the median follows")
+      .fallback = "0: as many as the density asks for";
+  keys.integer("seed", no_less_than_zero, "of the random numbers").fallback = "1";
+  keys.table("sizes", "diameters");
+  keys.text("sizes.distribution", "of the diameters", {"lognormal", "uniform", "list"});
+  keys.number("sizes.min", positive_number, "length_unit", "lognormal, uniform: smallest diameter");
+  keys.number("sizes.max", positive_number, "length_unit", "lognormal, uniform: largest diameter");
+  keys.number("sizes.sigma", positive_number, "", "lognormal: standard deviation of ln(diameter)");
+  keys.number("sizes.median", positive_number, "length_unit", "lognormal: median diameter");
+  keys.numbers("sizes.diameters", 0, positive_number, "length_unit", "list: the diameters");
+  keys.numbers("sizes.weights", 0, positive_number, "", "list: number fractions").fallback = "equal";
+  keys.table("container", "of the packing in the file: for its density and effective conductivity");
+  keys.number("container.diameter", positive_number, "length_unit", "of a cylinder");
+  keys.number("container.width", positive_number, "length_unit", "of a box");
+  keys.number("container.depth", positive_number, "length_unit", "of a box");
+  keys.number("container.height", positive_number, "length_unit", "of either");
+
+  keys.in("", CaseKey::packing).table("contact", "necks between particles");
+  keys.in("contact", CaseKey::packing);
+  std::vector<std::string> laws = {"given"};
+  for (const auto& law : neck_laws()) laws.push_back(law.name);
+  keys.text("neck", "neck law, or given", laws);
+  keys.text("file", "given: CSV with i,j,radius");
+  keys.number("hardening", {.min = 0.5, .max = 1.45}, "", "plastic").fallback = "1.45";
+  keys.text("conductance", "halves in series, or a pipe", {"series", "pipe"}).fallback = "series";
+
+  keys.in("", CaseKey::packing | CaseKey::press).table("material", "one material");
+  keys.in("material", CaseKey::packing | CaseKey::press);
+  keys.number("density", positive_number, "kg/m3", "of the particles");
+
+  keys.in("", CaseKey::packing).list("materials", CaseKey::table, "several materials, one table each");
+  keys.in("materials[]", CaseKey::packing);
+  keys.text("name", "as the packing says it");
+  keys.number("density", positive_number, "kg/m3", "of its particles");
+  keys.table("thermal", "its conductivity and specific heat");
+  keys.in("materials[].thermal", CaseKey::packing).conductivity("W/(m K)");
+  keys.number("specific_heat", positive_number, "J/(kg K)", "of the material");
+  keys.in("materials[]", CaseKey::packing).table("electric", "its conductivity and specific capacity");
+  keys.in("materials[].electric", CaseKey::packing).conductivity("S/m");
+  keys.number("specific_capacity", positive_number, "F/kg", "transient only");
+
+  keys.in("", CaseKey::packing)
+      .list("interfaces", CaseKey::table, "layers between two materials, one table each")
+      .may_be_empty = true;
+  keys.in("interfaces[]", CaseKey::packing);
+  keys.list("between", CaseKey::text, "names of two materials").count = 2;
+  keys.boundary("thermal");
+  keys.boundary("electric");
+}
+
+}  // namespace superstep

@@ -1,0 +1,169 @@
+/// Every option of every command refuses what it is not, in one line, and nothing is written.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bench/app/cli/command_entry.hpp"
+#include "bench/temporary_case.hpp"
+#include "integrators/registry.hpp"
+#include "program.hpp"
+
+namespace superstep {
+namespace {
+
+using Line = std::vector<std::string>;
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    case_ = test::write_rod(folder_, test::Rod{.nodes = 5});
+    before_ = test::files_below(folder_.file("."));
+  }
+  /// A line that the command would take.
+  [[nodiscard]] Line line_of(const std::string& command) const {
+    if (command == "pack")
+      return {"pack",
+              "--container",
+              "box",
+              "--width",
+              "2",
+              "--depth",
+              "2",
+              "--height",
+              "2",
+              "--sizes",
+              "uniform:min=0.5,max=0.6",
+              "--relative-density",
+              "0.4",
+              "--output",
+              folder_.file("packing.csv")};
+    if (command == "gate") return {"gate", folder_.file("none"), "--baseline", folder_.file("none")};
+    if (command == "compare") return {"compare", folder_.file("none"), folder_.file("none")};
+    if (command == "report") return {"report", folder_.file("none")};
+    if (command == "completion") return {"completion"};
+    if (command == "list") return {"list"};
+    return {command, case_};
+  }
+  void refuse(const Line& line, const std::string& names) {
+    ++count_;
+    const auto said = test::call_program(line);
+    const std::string about = fmt::format("superstep {}\n{}{}", fmt::join(line, " "), said.err, said.out);
+    EXPECT_TRUE(said.code == 2 || said.code == 3) << said.code << ": " << about;
+    EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << about;
+    EXPECT_EQ(said.out, "") << about;
+    EXPECT_NE(said.err.find(names), std::string::npos) << names << " is not named: " << about;
+  }
+  void TearDown() override {
+    EXPECT_EQ(test::files_below(folder_.file(".")), before_) << "something was written";
+  }
+
+  test::CaseFolder folder_;
+  std::string case_;
+  std::vector<std::string> before_;
+  int count_ = 0;
+};
+
+/// Values that an option must refuse, by how the help calls what it takes.
+Line bad_values(const std::string& type) {
+  const Line numbers = {"abc",  "nan", "inf", "-1", "0",    "1e999", "1,5",
+                        "0x10", " ",   "1 2", "--", "\xff", "1_"};
+  Line integers = numbers;
+  integers.insert(integers.end(), {"1.5", "99999999999999999999", "1e3"});
+  const std::map<std::string, Line> bad = {
+      {"N", integers},
+      {"SWEEPS", numbers},
+      {"X", numbers},
+      {"T", numbers},
+      {"L", numbers},
+      {"SECONDS", numbers},
+      {"SPEC",
+       {"nobody", ":", "rkc:", "rkc:rtol", "rkc:rtol=", "rkc:=1", "rkc:rtol=x", "rkc:rtol=nan", "rkc:rtol=-1",
+        "rkc:rtol=1e-3,rtol=1e-3", "rkc:zzz=1", "rkc:rtol=1e-3,", "\xff", std::string(100'000, 'x')}},
+      {"SHAPE", {"sphere", "1", "\xff"}},
+      {"UNIT", {"inch", "1", "\xff"}},
+      {"WHEN", {"often", "1", "\xff"}},
+      {"SIZES",
+       {"gauss:min=1,max=2", "uniform", "uniform:", "uniform:min=1", "uniform:min=2,max=1",
+        "uniform:min=0,max=1", "uniform:min=nan,max=1", "lognormal:min=1,max=2", "list:", "list:1,,2",
+        "list:-1", "list:x", "\xff"}},
+      {"FILE", {"/nowhere/at/all", "/dev/zero", "/dev"}},
+      {"DIR", {}}};
+  const auto found = bad.find(type);
+  EXPECT_NE(found, bad.end()) << "an option takes " << type << ": say here what it refuses";
+  return found == bad.end() ? Line{} : found->second;
+}
+
+TEST_F(CommandLine, EveryOptionRefusesWhatItIsNot) {
+  for (const auto& entry : command_entries()) {
+    std::vector<OptionEntry> options = entry.options;
+    for (const char* common : {"--threads", "--color"})
+      options.push_back({common, &Arguments::threads, "", std::string(common) == "--color" ? "WHEN" : "N"});
+    for (const auto& option : options) {
+      const std::string name = option.name.substr(option.name.rfind(',') + 1);
+      const auto with = [&](const Line& more) {
+        Line line = line_of(entry.name);
+        if (const auto own = std::find(line.begin(), line.end(), name); own != line.end())
+          line.erase(own, own + 2);
+        line.insert(line.end(), more.begin(), more.end());
+        return line;
+      };
+      refuse(with({name + "q"}), name + "q");
+      if (std::holds_alternative<bool Arguments::*>(option.target)) {
+        refuse(with({name + "=maybe"}), name);
+        continue;
+      }
+      const bool writes = name == "--output";  // any name will do
+      refuse(with({name}), name);
+      refuse(with({name, ""}), name);
+      refuse(with({name + "="}), name);
+      for (const auto& value : writes ? Line{} : bad_values(option.type)) {
+        // "0" is a right seed.
+        if (value == "0" && name == "--seed") continue;
+        refuse(with({name, value}), "");
+      }
+    }
+  }
+  EXPECT_GT(count_, 300);
+}
+
+TEST_F(CommandLine, EveryKeyOfEveryMethodRefusesWhatItIsNot) {
+  for (const auto& method : integrators())
+    for (const auto& key : method.keys) {
+      Line bad = {"", "nan", "inf", "zzz", "1e999", "\xff"};
+      if (key.type != OptionKey::Type::word) {
+        if (key.min > -1e300) bad.push_back(fmt::format("{}", key.min - 1));
+        if (key.min_open) bad.push_back(fmt::format("{}", key.min));
+        if (key.max < 1e300) bad.push_back(fmt::format("{}", key.max + 1));
+        if (key.max_open) bad.push_back(fmt::format("{}", key.max));
+      }
+      if (key.type == OptionKey::Type::integer) bad.insert(bad.end(), {"1.5", "99999999999999999999"});
+      for (const auto& value : bad)
+        refuse({"run", case_, "--integrator", fmt::format("{}:{}={}", method.name, key.name, value)},
+               key.name);
+    }
+  EXPECT_GT(count_, 300);
+}
+
+TEST_F(CommandLine, CommandsRefuseWhatTheyDoNotTake) {
+  refuse({}, "command");
+  refuse({"zzz"}, "zzz");
+  refuse({"--zzz"}, "--zzz");
+  for (const auto& entry : command_entries()) {
+    refuse({entry.name, "--zzz"}, "--zzz");
+    refuse({entry.name + "q"}, entry.name + "q");
+    Line line = line_of(entry.name);
+    line.insert(line.end(), {"one", "too", "many"});
+    refuse(line, "");
+    if (!entry.positional.empty()) refuse({entry.name}, entry.name);
+    if (entry.positional.empty()) continue;
+    for (const char* file : {"", "/nowhere/at/all", "/dev/zero", "/dev/null", "/proc/self/mem", "/"})
+      refuse({entry.name, file}, "");
+  }
+}
+
+}  // namespace
+}  // namespace superstep

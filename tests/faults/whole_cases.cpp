@@ -1,0 +1,213 @@
+#include "whole_cases.hpp"
+
+#include <fmt/format.h>
+
+namespace superstep::test {
+namespace {
+
+/// 27 equal spheres of radius 1 mm, 1.9 mm apart; the middle layer has the ids 9 to 17.
+void write_lattice(const CaseFolder& folder) {
+  std::string plain = "id,x,y,z,radius\n", named = "id,x,y,z,radius,material\n", necks = "i,j,radius\n";
+  for (int id = 0; id < 27; ++id) {
+    const std::string row =
+        fmt::format("{},{},{},{},1", id, 1.9 * (id % 3), 1.9 * (id / 3 % 3), 1.9 * (id / 9));
+    plain += row + "\n";
+    named += fmt::format("{},{}\n", row, "abc"[id / 9]);
+    if (id >= 9) necks += fmt::format("{},{},0.3\n", id - 9, id);
+  }
+  folder.write("lattice.csv", plain);
+  folder.write("named.csv", named);
+  folder.write("necks.csv", necks);
+}
+
+Tree head() {
+  return Tree::parse(R"({ "title": "whole", "source": "a test", "t_end": 1.0, "output_times": [0.5, 1.0] })");
+}
+
+/// One of each way to select, no particle twice.
+Tree selections() {
+  return Tree::parse(R"([
+    { "ids": [13] },
+    { "box": { "min": [-0.5, 1.0, 1.0], "max": [0.5, 2.5, 2.5] } },
+    { "layer": { "side": "bottom", "thickness": 1.5 } },
+    { "sphere": { "centre": [3.8, 1.9, 1.9], "radius": 0.5 } },
+    { "cylinder": { "base": [1.9, 3.8, 1.5], "axis": [0, 0, 1], "radius": 0.5, "height": 1.0 } },
+    "top" ])");
+}
+
+/// An entry for each selection; the first has a table of time.
+Tree entries(const std::string& amount, double value, const Tree& more = Tree::object()) {
+  Tree out = Tree::array();
+  for (const auto& where : selections()) {
+    Tree entry = {{"where", where}};
+    entry[amount] = out.empty() ? Tree{{"times", {0.0, 1.0}}, {"values", {value, value + 1}}} : Tree(value);
+    entry.update(more);
+    out.push_back(entry);
+  }
+  return out;
+}
+
+Tree law(const std::string& kind, double value) {
+  if (kind == "linear")
+    return {
+        {"law", kind}, {"value", value}, {"coefficient", 1e-4}, {"reference", 300.0}, {"outside", "error"}};
+  if (kind == "sigmoid")
+    return {{"law", kind},       {"value", value},     {"amplitude", 0.5},
+            {"steepness", 0.05}, {"reference", 300.0}, {"outside", "clamp"}};
+  return {{"law", "table"},
+          {"temperatures", {0.0, 300.0, 2000.0}},
+          {"values", {value, value, 2 * value}},
+          {"outside", "clamp"}};
+}
+
+Tree thermal(const std::string& kind) {
+  return {{"conductivity", law(kind, 10.0)},
+          {"specific_heat", 100.0},
+          {"initial", 300.0},
+          {"fixed", Tree::array({{{"where", "top"}, {"value", 310.0}}})}};
+}
+
+Tree electric(const std::string& kind) {
+  return {{"conductivity", law(kind, 1e3)},
+          {"specific_capacity", 1e3},
+          {"mode", "transient"},
+          {"initial", 0.0},
+          {"fixed", Tree::array({{{"where", "top"}, {"value", 1e-6}}})}};
+}
+
+/// With the figures of a source and a benchmark.
+Tree full_head() {
+  Tree tree = head();
+  tree["published"] =
+      Tree::parse(R"({ "particles": 27, "relative_density": 0.7, "effective_conductivity": 1.0,
+    "lambda_max": 1.0, "lambda_min": 1.0, "critical_step": 1.0, "pair_step": 1.0, "alpha_star": 0.7 })");
+  tree["bench"] = {{"baseline", "forward-euler"}, {"integrators", {"rkc"}}};
+  return tree;
+}
+
+Tree fields() {
+  Tree tree = full_head();
+  tree["probe"] = {"mid-height", 13};
+  tree["packing"] = Tree::parse(R"({ "file": "lattice.csv", "length_unit": "mm",
+    "container": { "width": 5.8, "depth": 5.8, "height": 5.8 } })");
+  tree["material"] = {{"density", 1000.0}};
+  tree["contact"] = {{"neck", "plastic"}, {"hardening", 1.0}, {"conductance", "series"}};
+  tree["thermal"] = thermal("table");
+  tree["thermal"]["grain_boundary"] = {{"thickness", 1e-7}, {"reduction", 0.2}};
+  tree["thermal"]["fixed"] = entries("value", 310);
+  tree["thermal"]["source"] = entries("value", 1e-3);
+  tree["thermal"]["convection"] = entries("ambient", 300, {{"coefficient", 10.0}});
+  tree["thermal"]["radiation"] = entries("ambient", 300, {{"emissivity", 0.5}, {"kelvin", true}});
+  tree["electric"] = electric("table");
+  tree["electric"]["grain_boundary"] = {{"thickness", 1e-7}, {"reduction", 0.2}};
+  tree["electric"]["fixed"] = entries("value", 1e-6);
+  tree["electric"]["source"] = entries("value", 1e-6);
+  tree["electric"]["settle_tolerance"] = 1e-9;
+  tree["electric"]["resolve_change"] = 1e-6;
+  tree["coupling"] = {{"joule_heat", true}};
+  return tree;
+}
+
+Tree generated(const Tree& packing, const std::string& kind) {
+  Tree tree = head();
+  tree["packing"] = packing;
+  tree["material"] = {{"density", 1000.0}};
+  tree["contact"] = {{"neck", "geometric"}};
+  tree["thermal"] = thermal(kind);
+  tree["electric"] = electric(kind);
+  return tree;
+}
+
+Tree materials() {
+  Tree tree = head();
+  tree["packing"] = {{"file", "named.csv"}, {"length_unit", "mm"}};
+  tree["materials"] = Tree::array();
+  for (const char* name : {"a", "b", "c"}) {
+    const std::string kind = name[0] == 'a' ? "linear" : name[0] == 'b' ? "sigmoid" : "table";
+    tree["materials"].push_back(
+        {{"name", name},
+         {"density", 1000.0},
+         {"thermal", {{"conductivity", law(kind, 10)}, {"specific_heat", 100.0}}},
+         {"electric", {{"conductivity", law(kind, 1e3)}, {"specific_capacity", 1e3}}}});
+  }
+  tree["interfaces"] = Tree::parse(R"([ { "between": ["a", "b"],
+    "thermal": { "thickness": 1e-7, "reduction": 0.2 }, "electric": { "thickness": 1e-7, "reduction": 0.2 } } ])");
+  tree["contact"] = {{"neck", "given"}, {"file", "necks.csv"}};
+  tree["thermal"] = {{"initial", 300.0}};
+  tree["electric"] = {{"initial", 0.0}};
+  return tree;
+}
+
+Tree network(const CaseFolder& folder) {
+  (void)write_rod(folder, {.nodes = 5, .head = {}, .bench = {}});
+  Tree tree = full_head();
+  tree["probe"] = 2;
+  tree["network"] = {{"nodes", "rod_nodes.csv"}, {"edges", "rod_edges.csv"}, {"field", "temperature"}};
+  return tree;
+}
+
+Tree press() {
+  Tree tree = head();
+  tree["t_end"] = 0.01;
+  tree["output_times"] = {0.005, 0.01};
+  tree["bench"] = Tree::parse(
+      R"({ "baseline": "forward-euler", "integrators": ["rkc:rtol=1e-5"], "motion_window": [0.002, 0.004] })");
+  tree["material"] = {{"density", 2000.0}};
+  tree["thermal"] = Tree::parse(R"({ "conductivity": 1e5, "specific_heat": 100.0, "initial": 300.0,
+    "walls": { "lower": 1000.0, "upper": 900.0, "sides": 300.0 }, "walls_conduct": true })");
+  tree["electric"] = Tree::parse(R"({ "model": "averaging", "conductivity": 0.1, "absorption": 0.5,
+    "solver": "conjugate", "tolerance": 1e-10, "hold_temperature": true })");
+  Tree law = Tree::parse(R"({ "stiffness": 1e7, "exponent": 2.0, "softening_temperature": 1500.0,
+    "stiffness_floor": 5e6, "friction": 0.1, "friction_speed": 0.01, "damping": 0.2 })");
+  tree["dynamics"] = Tree::parse(R"({ "gravity": 9.81, "drag": 0.1, "medium_velocity": [0.0, 0.0, 0.0],
+    "skin": 0.01, "thermal_integrator": "staggered",
+    "box": { "min": [0.0, 0.0, 0.0], "max": [0.4, 0.4, 0.5] },
+    "particles": { "count": 6, "radius": 0.05, "seed": 3, "max_overlap": 0.0 },
+    "bond": { "stiffness": 1e6, "exponent": 2.0, "threshold": 0.05, "rule": "overlap" },
+    "phases": [ { "name": "press", "until": 0.01, "upper_wall": 0.45, "current": { "lower": 1e4, "upper": 1e4 } } ],
+    "stepping": { "scheme": "staggered", "phi": 0.5, "iterations": 10, "tolerance_position": 5e-4,
+      "tolerance_temperature": 5e-4, "power": 2.0, "first_step": 0.001, "largest_step": 0.005,
+      "smallest_step": 1e-9, "growth": 2.0, "shrink": 0.1, "fraction": 0.5 } })");
+  tree["dynamics"]["contact"] = law;
+  tree["dynamics"]["wall"] = law;
+  return tree;
+}
+
+Tree press_of_a_list() {
+  Tree tree = press();
+  tree["electric"]["model"] = "potential";
+  tree["dynamics"]["phases"][0].erase("current");
+  tree["dynamics"]["phases"][0]["potential"] = {{"lower", 0.0}, {"upper", 1.0}};
+  tree["dynamics"]["bond"]["rule"] = "tension";
+  tree["dynamics"]["bond"]["rupture"] = 0.05;
+  tree["dynamics"]["particles"] = Tree::parse(R"({ "list": [
+    { "position": [0.1, 0.1, 0.1], "radius": 0.05, "velocity": [0.0, 0.0, 0.1], "temperature": 400.0 },
+    { "position": [0.3, 0.3, 0.3], "radius": 0.05 } ] })");
+  return tree;
+}
+
+}  // namespace
+
+std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
+  write_lattice(folder);
+  const Tree cylinder = Tree::parse(R"({ "generator": "cylinder", "length_unit": "mm", "diameter": 4.0,
+    "height": 5.0, "relative_density": 0.5, "count": 40, "seed": 2,
+    "sizes": { "distribution": "lognormal", "min": 0.3, "max": 2.0, "sigma": 0.4, "median": 1.0 },
+    "container": { "diameter": 4.0, "height": 5.0 } })");
+  const Tree box = Tree::parse(R"({ "generator": "box", "length_unit": "mm", "width": 3.0, "depth": 3.0,
+    "height": 4.0, "relative_density": 0.5, "seed": 2,
+    "sizes": { "distribution": "uniform", "min": 0.8, "max": 1.2 } })");
+  Tree listed = box;
+  listed["sizes"] =
+      Tree::parse(R"({ "distribution": "list", "diameters": [0.8, 1.2], "weights": [1.0, 2.0] })");
+  return {{"fields", CaseKey::packing, fields()},
+          {"materials", CaseKey::packing, materials()},
+          {"cylinder", CaseKey::packing, generated(cylinder, "linear")},
+          {"box", CaseKey::packing, generated(box, "sigmoid")},
+          {"listed", CaseKey::packing, generated(listed, "table")},
+          {"network", CaseKey::network, network(folder)},
+          {"press", CaseKey::press, press()},
+          {"list", CaseKey::press, press_of_a_list()}};
+}
+
+}  // namespace superstep::test
