@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "bench/app/cli/cli_values.hpp"
@@ -10,13 +9,14 @@
 #include "bench/app/commands.hpp"
 #include "bench/app/loaded_case.hpp"
 #include "bench/app/observation_files.hpp"
+#include "bench/app/press/press_commands.hpp"
 #include "bench/app/report_file.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/host/machine.hpp"
 #include "bench/output/output_folder.hpp"
+#include "bench/press/thermal_lanes.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "integrators/press/sintering_case.hpp"
 #include "reports/html/published.hpp"
 #include "results/results_csv.hpp"
 #include "results/results_json.hpp"
@@ -31,13 +31,17 @@ std::vector<LoadedCase> load_all(const BenchCommand& command) {
   if (!reference.empty() && reference != "none") check_specs({reference});
   std::vector<LoadedCase> cases;
   require_distinct_names(command.case_files);
-  for (const auto& file : command.case_files) cases.push_back(load_bench_case(file));
+  for (const auto& file : command.case_files) {
+    cases.push_back(load_bench_case(file));
+    if (command.case_files.size() > 1 && std::holds_alternative<Press>(cases.back().content))
+      throw UsageError("bench: a case with moving particles ([dynamics]) is measured on its own");
+  }
   return cases;
 }
 
 std::string output_folder(const BenchCommand& command, const std::vector<LoadedCase>& cases) {
   if (!command.out.empty()) return command.out;
-  return default_output_folder(cases.size() == 1 ? cases.front().scene.name : "bench");
+  return default_output_folder(cases.size() == 1 ? cases.front().head().name : "bench");
 }
 
 /// results.json speaks for the others: it is gone before the first of them changes, and written last.
@@ -47,6 +51,15 @@ void write_results(const std::string& folder, const BenchReport& report,
   write_file_atomically(folder + "/results.csv", results_csv(report.cases));
   if (!report.interrupted) write_observation_files(folder, report, cases);
   write_file_atomically(folder + "/results.json", results_json(report));
+}
+
+BenchCase measure(const Scene& scene, double cpu_setup, HarnessOptions options, Progress& progress) {
+  options.sampled = published_measure(scene.source);
+  return bench_case(scene, cpu_setup, options, progress);
+}
+
+BenchCase measure(const Press& press, double cpu_setup, const HarnessOptions& options, Progress& progress) {
+  return bench_thermal_lanes(press, cpu_setup, options, progress);
 }
 
 ExitCode exit_code(const BenchReport& report) {
@@ -109,11 +122,6 @@ Command from_line(const Arguments& values) {
 }  // namespace
 
 int execute(const BenchCommand& command) {
-  const auto moving = std::count_if(command.case_files.begin(), command.case_files.end(),
-                                    [](const auto& file) { return dynamics::is_sintering_case(file); });
-  if (moving > 0 && command.case_files.size() > 1)
-    throw UsageError("bench: a case with moving particles ([dynamics]) is measured on its own");
-  if (moving > 0) return bench_sintering(command);
   const auto cases = load_all(command);
   const std::string folder = output_folder(command, cases);
   const OutputFolder locked(folder);
@@ -125,10 +133,11 @@ int execute(const BenchCommand& command) {
   catch_interrupts();
 
   BenchReport report = empty_report(command);
-  for (const auto& [scene, cpu_setup] : cases) {
+  for (const auto& one : cases) {
     if (stop_flag()) break;
-    options.sampled = published_measure(scene.source);
-    report.cases.push_back(bench_case(scene, cpu_setup, options, progress));
+    report.cases.push_back(
+        std::visit([&](const auto& content) { return measure(content, one.cpu_setup, options, progress); },
+                   one.content));
     const BenchCase& done = report.cases.back();
     if (!quiet) warn(done.warnings);
     if (command.common.json) continue;
@@ -138,6 +147,9 @@ int execute(const BenchCommand& command) {
   report.interrupted = stop_flag();
   write_results(folder, report, cases);
   if (command.common.json) print_data(results_json(report));
+  for (const auto& one : cases)
+    if (const auto* press = std::get_if<Press>(&one.content); press && !report.interrupted)
+      bench_motion(command, *press, folder, progress);
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
   if (command.report) {
     const std::string file = write_report(folder);

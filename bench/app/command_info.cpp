@@ -2,8 +2,9 @@
 
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
+#include "bench/app/press/press_commands.hpp"
+#include "case/case.hpp"
 #include "case/checks/health.hpp"
-#include "integrators/press/sintering_case.hpp"
 #include "reports/text/health_report.hpp"
 
 namespace superstep {
@@ -14,14 +15,20 @@ Command from_line(const Arguments& values) {
   return InfoCommand{common_options(values), single_case(values, "info")};
 }
 
-}  // namespace
-
-int execute(const InfoCommand& command) {
-  if (dynamics::is_sintering_case(command.case_file)) return info_sintering(command);
-  const Scene scene = load_scene(command.case_file);
+int info(const InfoCommand& command, const Scene& scene) {
   const NetworkHealth health = assess_network(scene);
   print_data(command.common.json ? health_json(scene, health) : health_text(scene, health));
   return 0;
+}
+
+int info(const InfoCommand& command, const Press& press) {
+  return info_press(command, press);
+}
+
+}  // namespace
+
+int execute(const InfoCommand& command) {
+  return std::visit([&](const auto& one) { return info(command, one); }, load_case(command.case_file));
 }
 
 CommandEntry info_command() {

@@ -10,6 +10,7 @@
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/app/loaded_case.hpp"
+#include "bench/app/press/press_commands.hpp"
 #include "bench/harness/run_check.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/measure/run_one.hpp"
@@ -17,7 +18,6 @@
 #include "bench/output/run_files.hpp"
 #include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
-#include "integrators/press/sintering_case.hpp"
 #include "integrators/spec_settings.hpp"
 
 namespace superstep {
@@ -116,14 +116,10 @@ Command from_line(const Arguments& values) {
   return command;
 }
 
-}  // namespace
-
-int execute(const RunCommand& command) {
-  if (dynamics::is_sintering_case(command.case_file)) return run_sintering(command);
+int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   if (command.checkpoint || !command.restart.empty())
     throw UsageError("run: --checkpoint and --restart need a case with moving particles ([dynamics])");
   check_specs(command.integrators);
-  const auto [scene, cpu_setup] = load_case(command.case_file);
   if (command.vtk) require_packing(scene, "--vtk");
   const auto specs = specs_of(command);
   const auto folders =
@@ -157,6 +153,15 @@ int execute(const RunCommand& command) {
   }
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
+}
+
+}  // namespace
+
+int execute(const RunCommand& command) {
+  check_specs_of_press(command.integrators);
+  const LoadedCase one = load_checked_case(command.case_file);
+  if (const auto* press = std::get_if<Press>(&one.content)) return run_press(command, *press, one.cpu_setup);
+  return run_scene(command, std::get<Scene>(one.content), one.cpu_setup);
 }
 
 CommandEntry run_command() {

@@ -4,6 +4,7 @@
 
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
+#include "bench/app/loaded_case.hpp"
 #include "bench/host/progress.hpp"
 #include "bench/lab/lab.hpp"
 #include "bench/output/output_folder.hpp"
@@ -28,7 +29,8 @@ Command from_line(const Arguments& values) {
 int execute(const StabilityCommand& command) {
   std::optional<OutputFolder> locked;
   if (!command.out.empty()) locked.emplace(command.out);
-  const Scene scene = load_scene(command.case_file);
+  const Case one = load_case(command.case_file);
+  const Scene& scene = scene_of(one, "stability");
   const bool quiet = command.common.quiet;
   if (!quiet) warn(scene.warnings);
   Progress progress(!quiet && stderr_is_terminal());

@@ -14,9 +14,9 @@
 namespace superstep {
 namespace {
 
-std::string folder_of(const WorkPrecisionCommand& command, const Scene& scene) {
-  if (command.out.empty()) return default_output_folder(scene.name);
-  return command.case_files.size() == 1 ? command.out : command.out + "/" + scene.name;
+std::string folder_of(const WorkPrecisionCommand& command, const CaseHead& head) {
+  if (command.out.empty()) return default_output_folder(head.name);
+  return command.case_files.size() == 1 ? command.out : command.out + "/" + head.name;
 }
 
 }  // namespace
@@ -26,9 +26,12 @@ int execute(const WorkPrecisionCommand& command) {
   if (!command.options.reference.empty()) check_specs({command.options.reference});
   std::vector<LoadedCase> cases;
   require_distinct_names(command.case_files);
-  for (const auto& file : command.case_files) cases.push_back(load_bench_case(file));
+  for (const auto& file : command.case_files) {
+    cases.push_back(load_bench_case(file));
+    (void)scene_of(cases.back().content, "--work-precision");
+  }
   std::vector<OutputFolder> locked;
-  for (const auto& one : cases) locked.emplace_back(folder_of(command, one.scene));
+  for (const auto& one : cases) locked.emplace_back(folder_of(command, one.head()));
   Progress progress(!command.common.quiet && stderr_is_terminal());
   WorkPrecisionOptions options = command.options;
   options.threads = command.common.threads;
@@ -36,8 +39,9 @@ int execute(const WorkPrecisionCommand& command) {
   catch_interrupts();
 
   bool measured = false;
-  for (const auto& [scene, ignored] : cases) {
+  for (const auto& one : cases) {
     if (stop_flag()) break;
+    const auto& scene = std::get<Scene>(one.content);
     const WorkPrecision study = work_precision(scene, options, progress);
     for (const auto& point : study.points) measured = measured || point.ok();
     print_data(work_precision_table(study, use_color(command.common.color)));

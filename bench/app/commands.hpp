@@ -106,11 +106,6 @@ using Command =
     std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand, GateCommand,
                  CompareCommand, PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
 
-/// `execute` of a case with moving particles, i.e. with a table [dynamics].
-int run_sintering(const RunCommand& command);
-int bench_sintering(const BenchCommand& command);
-int info_sintering(const InfoCommand& command);
-
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
 int execute(const BenchCommand& command);

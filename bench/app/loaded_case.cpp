@@ -4,13 +4,13 @@
 
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include "case/checks/warnings.hpp"
 #include "case/content_hash.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "core/text/text_file.hpp"
-#include "core/text/toml.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
@@ -18,39 +18,50 @@ namespace superstep {
 namespace {
 
 /// SPECs out of a case file: what is wrong with them is the file's fault, at its line.
-void check_specs_of(const Scene& scene) {
-  const auto check = [&](const std::vector<std::string>& specs, const char* key) {
-    try {
-      check_specs(specs);
+void check_specs_of(const CaseHead& head) {
+  for (const auto& stated : head.stated_specs) try {
+      check_specs({stated.spec});
     } catch (const UsageError& error) {
-      TomlTable root = TomlTable::parse_file(scene.file);
-      TomlTable bench = *root.table("bench");
-      throw InputError(fmt::format("{}: {}", bench.require(key, "").where(), error.what()));
+      throw InputError(fmt::format("{}: {}", stated.where, error.what()));
     }
-  };
-  check(scene.bench.integrators, "integrators");
-  check({scene.bench.baseline}, "baseline");
 }
 
-}  // namespace
-
-LoadedCase load_case(const std::string& file) {
-  const double begin = process_cpu_seconds();
-  Scene scene = load_scene(file);
-  const double cpu_setup = process_cpu_seconds() - begin;
-  check_specs_of(scene);
-  return {std::move(scene), cpu_setup};
+/// `begin` [s]: CPU time before the file was parsed.
+LoadedCase load(TomlTable root, double begin) {
+  LoadedCase one{.content = load_case(std::move(root))};
+  one.cpu_setup = process_cpu_seconds() - begin;
+  check_specs_of(one.head());
+  return one;
 }
 
-LoadedCase load_bench_case(const std::string& file) {
-  LoadedCase one = load_case(file);
-  Scene& scene = one.scene;
-  scene.content_hash = content_hash(TomlTable::parse_file(file));
+void prepare_for_bench(Scene& scene, const TomlTable& root) {
+  scene.content_hash = content_hash(root);
   if (const std::string finding = implausible_sizes(scene); !finding.empty())
     throw InputError(finding +
                      "; a benchmark of it would not end: mend length_unit, or run one method with `run`");
   if (!scene.own_output_times) scene.output_times = {0.02 * scene.t_end, 0.1 * scene.t_end, scene.t_end};
+}
+
+}  // namespace
+
+LoadedCase load_checked_case(const std::string& file) {
+  const double begin = process_cpu_seconds();
+  return load(parse_case(file), begin);
+}
+
+LoadedCase load_bench_case(const std::string& file) {
+  const double begin = process_cpu_seconds();
+  const TomlTable root = parse_case(file);
+  LoadedCase one = load(root, begin);
+  if (auto* scene = std::get_if<Scene>(&one.content)) prepare_for_bench(*scene, root);
   return one;
+}
+
+const Scene& scene_of(const Case& one, const std::string& command) {
+  if (const auto* scene = std::get_if<Scene>(&one)) return *scene;
+  throw InputError(
+      fmt::format("{}: its particles move ([dynamics]), and {} needs a network that stays as it is",
+                  head_of(one).file, command));
 }
 
 void require_distinct_names(const std::vector<std::string>& files) {

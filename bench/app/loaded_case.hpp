@@ -4,22 +4,28 @@
 #include <string>
 #include <vector>
 
-#include "case/scene.hpp"
+#include "case/case.hpp"
 
 namespace superstep {
 
 struct LoadedCase {
-  Scene scene;
+  Case content;
   double cpu_setup = 0;  ///< CPU time of reading and building it [s]
+
+  [[nodiscard]] const CaseHead& head() const { return head_of(content); }
 };
 
-/// Loads the scene and checks the SPECs of its [bench] table. Throws InputError.
-[[nodiscard]] LoadedCase load_case(const std::string& file);
+/// Loads a case and checks the SPECs that it states. Throws InputError.
+[[nodiscard]] LoadedCase load_checked_case(const std::string& file);
 
-/// The same for a benchmark: without output times of its own a case is judged at 2, 10 and 100 % of the run,
+/// The same for a benchmark: without output times of its own a scene is judged at 2, 10 and 100 % of the run,
 /// because at a steady end any damped method looks exact. Throws InputError, also for sizes that must be a
 /// slip in a unit: such a benchmark would not end.
 [[nodiscard]] LoadedCase load_bench_case(const std::string& file);
+
+/// The scene of a case. Throws InputError where particles move.
+///   command  that needs a network which stays as it is, as in "stability"
+[[nodiscard]] const Scene& scene_of(const Case& one, const std::string& command);
 
 /// Throws UsageError when two cases of one command share a name: results go by it.
 void require_distinct_names(const std::vector<std::string>& files);

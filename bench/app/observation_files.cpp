@@ -16,10 +16,9 @@ namespace {
 std::string all_health(std::span<const BenchCase> cases, std::span<const LoadedCase> loaded) {
   using Json = nlohmann::ordered_json;
   Json out = {{"schema", "superstep.health"}, {"schema_version", 1}, {"cases", Json::array()}};
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    const Scene& scene = loaded[k].scene;
-    out["cases"].push_back(Json::parse(health_json(scene, assess_network(scene))));
-  }
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    if (const auto* scene = std::get_if<Scene>(&loaded[k].content))
+      out["cases"].push_back(Json::parse(health_json(*scene, assess_network(*scene))));
   return json_text(out);
 }
 
@@ -42,7 +41,13 @@ void write_observation_files(const std::string& folder, const BenchReport& repor
     write_file_atomically(snapshots, snapshots_csv(report.cases));
   else
     remove_stale_file(snapshots);
-  write_file_atomically(folder + "/health.json", all_health(report.cases, loaded));
+  const bool any_scene = std::any_of(loaded.begin(), loaded.end(), [](const LoadedCase& one) {
+    return std::holds_alternative<Scene>(one.content);
+  });
+  if (any_scene)
+    write_file_atomically(folder + "/health.json", all_health(report.cases, loaded));
+  else
+    remove_stale_file(folder + "/health.json");
 }
 
 }  // namespace superstep

@@ -10,9 +10,9 @@
 
 namespace superstep {
 
-/// Writes histories.csv, snapshots.csv and health.json into `folder`, and removes those of an earlier
-/// benchmark that have no successor. Throws OutputError.
-///   loaded  the scenes of `report.cases`, in the same order; there may be more of them
+/// Writes histories.csv, snapshots.csv and, of scenes, health.json into `folder`, and removes those of an
+/// earlier benchmark that have no successor. Throws OutputError.
+///   loaded  the cases of `report.cases`, in the same order; there may be more of them
 void write_observation_files(const std::string& folder, const BenchReport& report,
                              std::span<const LoadedCase> loaded);
 

@@ -15,8 +15,6 @@
 #include "bench/measure/sampled_errors.hpp"
 #include "bench/measure/scene_facts.hpp"
 #include "core/stopwatch.hpp"
-#include "core/text/options.hpp"
-#include "integrators/registry.hpp"
 
 namespace superstep {
 namespace {
@@ -24,11 +22,11 @@ namespace {
 /// One method on its way through the benchmark.
 struct Contender {
   BenchRow row;
-  Outcome outcome;
+  Outcome outcome = {};
   bool verified = false;
   double time_per_sweep = 0;  ///< s
-  std::vector<double> cpu_total, cpu_prepare, cpu_stepping, wall_stepping, yardstick;
-  std::vector<double> samples;  ///< at the instants of a published table [K or V]
+  std::vector<double> cpu_total = {}, cpu_prepare = {}, cpu_stepping = {}, wall_stepping = {}, yardstick = {};
+  std::vector<double> samples = {};  ///< at the instants of a published table [K or V]
 };
 
 /// A run to the end is timed however wrong it is.
@@ -45,12 +43,12 @@ class CaseBench {
         progress_(progress),
         probes_(scene),
         sampled_(options.sampled, probes_),
-        joule_cost_(scene) {
-    for (const auto& spec : contenders(scene, options.integrators)) contenders_.push_back(enter(spec));
-  }
+        joule_cost_(scene) {}
 
   BenchCase run() {
     BenchCase out = describe();
+    for (const auto& spec : contenders(scene_.bench, options_.integrators))
+      contenders_.push_back({.row = begin_row(out, spec, options_.threads)});
     find_reference(out);
     for (auto& contender : contenders_) verify_one(contender);
     for (auto& contender : contenders_) warm_up(contender);
@@ -62,7 +60,6 @@ class CaseBench {
   }
 
  private:
-  [[nodiscard]] Contender enter(const std::string& spec) const;
   [[nodiscard]] BenchCase describe() const;
   void find_reference(BenchCase& out);
   void refuse_to_rank_blindly(BenchCase& out);
@@ -74,7 +71,7 @@ class CaseBench {
   void time_round(std::size_t round);
   void time_one(Contender& contender);
   void compare_as_published();
-  void compare_with_baseline();
+  void compare_with_theory();
   void finish(BenchCase& out);
   void fail(Contender& contender, const Outcome& outcome) const;
   [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
@@ -96,32 +93,11 @@ class CaseBench {
   std::vector<double> cpu_joule_;  // one a round [s]
 };
 
-Contender CaseBench::enter(const std::string& spec) const {
-  const Spec parsed = parse_spec(spec);
-  Contender contender;
-  BenchRow& row = contender.row;
-  row.spec = spec;
-  row.case_name = scene_.name;
-  row.integrator = parsed.name;
-  row.params = parsed.parameters();
-  row.nodes = scene_.nodes();
-  row.contacts = scene_.fields.front().graph.edges();
-  row.t_end = scene_.t_end;
-  row.threads = options_.threads;
-  return contender;
-}
-
 BenchCase CaseBench::describe() const {
-  BenchCase out;
-  out.name = scene_.name;
-  out.title = scene_.title;
-  out.source = scene_.source;
-  out.baseline = scene_.bench.baseline;
+  BenchCase out = begin_case(scene_);
   out.nodes = scene_.nodes();
   out.contacts = scene_.fields.front().graph.edges();
   out.unknowns = scene_.rhs->size();
-  out.t_end = scene_.t_end;
-  out.output_times = scene_.output_times;
   out.cpu_setup = cpu_setup_;
   out.unit = scene_.rhs->fields()[main_field(*scene_.rhs)].unit;
   out.warnings = scene_.warnings;
@@ -261,24 +237,14 @@ void CaseBench::time_one(Contender& contender) {
   contender.yardstick.push_back(0.5 * (before + yardstick_.seconds(length)));
 }
 
-Number quotient(double numerator, double denominator) {
-  return numerator > 0 && denominator > 0 ? Number(numerator / denominator) : std::nullopt;
-}
-
-void CaseBench::compare_with_baseline() {
+void CaseBench::compare_with_theory() {
   const auto baseline = std::find_if(contenders_.begin(), contenders_.end(), [&](const Contender& contender) {
     return contender.row.spec == scene_.bench.baseline;
   });
   if (baseline == contenders_.end() || !baseline->row.cpu_total) return;
-  for (auto& contender : contenders_) {
-    BenchRow& row = contender.row;
-    if (!row.cpu_total) continue;
-    row.speedup_total = quotient(baseline->row.cpu_total->median, row.cpu_total->median);
-    row.speedup_stepping = quotient(baseline->row.cpu_stepping->median, row.cpu_stepping->median);
-    row.speedup_prepared = quotient(*baseline->row.cpu_prepare + baseline->row.cpu_stepping->median,
-                                    *row.cpu_prepare + row.cpu_stepping->median);
-    row.speedup_theory = quotient(contender.time_per_sweep, baseline->time_per_sweep);
-  }
+  for (auto& contender : contenders_)
+    if (contender.row.cpu_total)
+      contender.row.speedup_theory = quotient(contender.time_per_sweep, baseline->time_per_sweep);
 }
 
 // The baseline may have been verified after others: samples are compared when all are there.
@@ -314,11 +280,12 @@ void CaseBench::finish(BenchCase& out) {
     row.cpu_stepping_samples = contender.cpu_stepping;
     row.yardstick_samples = contender.yardstick;
   }
-  compare_with_baseline();
+  compare_with_theory();
   compare_as_published();
   if (!cpu_joule_.empty()) out.cpu_joule = summarize(cpu_joule_).median;
   for (auto& contender : contenders_)
     if (contender.verified) out.rows.push_back(std::move(contender.row));
+  compare_with_baseline(out);
 }
 
 }  // namespace

@@ -33,7 +33,17 @@ struct HarnessOptions {
 
 /// SPECs that a case is benchmarked with: those asked for, else those of the case, else all families; the
 /// baseline is appended when it is not among them.
-[[nodiscard]] std::vector<std::string> contenders(const Scene& scene, const std::vector<std::string>& asked);
+[[nodiscard]] std::vector<std::string> contenders(const BenchSettings& bench,
+                                                  const std::vector<std::string>& asked);
+
+/// A result that holds what the head of a case says, and nothing measured yet.
+[[nodiscard]] BenchCase begin_case(const CaseHead& head);
+/// A row of that case that nothing was measured for yet.
+[[nodiscard]] BenchRow begin_row(const BenchCase& one, const std::string& spec, int threads);
+/// Speedups of all timed rows over the baseline, when that was timed.
+void compare_with_baseline(BenchCase& one);
+/// `numerator / denominator`; empty unless both are > 0.
+[[nodiscard]] Number quotient(double numerator, double denominator);
 
 /// What the reference may cost where a method may cost that: it is nobody's choice, so only time counts.
 [[nodiscard]] RunLimits limits_of_reference(const RunLimits& limits);

@@ -7,13 +7,13 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "integrators/press/motion.hpp"
 #include "results/text/csv_text.hpp"
 
 namespace superstep {
 namespace {
 
 using dynamics::Motion;
-using dynamics::SinteringCase;
 using dynamics::State;
 using dynamics::SteppingSettings;
 
@@ -41,7 +41,7 @@ struct Finished {
   MotionRow row;
 };
 
-Finished run(const SinteringCase& one, const SteppingSettings& stepping, const State& begin, double t_end) {
+Finished run(const Press& one, const SteppingSettings& stepping, const State& begin, double t_end) {
   Motion motion(one.model, one.particles, stepping);
   const double cpu = process_cpu_seconds();
   motion.start(begin);
@@ -57,7 +57,7 @@ Finished run(const SinteringCase& one, const SteppingSettings& stepping, const S
   return finished;
 }
 
-SteppingSettings staggered(const SinteringCase& one, double tolerance, double largest_step) {
+SteppingSettings staggered(const Press& one, double tolerance, double largest_step) {
   SteppingSettings settings = one.stepping;
   settings.scheme = SteppingSettings::Scheme::staggered;
   settings.tolerance_position = settings.tolerance_temperature = tolerance;
@@ -66,7 +66,7 @@ SteppingSettings staggered(const SinteringCase& one, double tolerance, double la
 }
 
 /// Far below the steps that the schemes take, so that the error of order 2 is far below theirs.
-SteppingSettings reference_settings(const SinteringCase& one, double window, double steps) {
+SteppingSettings reference_settings(const Press& one, double window, double steps) {
   SteppingSettings settings = staggered(one, 1e-10, window / steps);
   settings.phi = 0.5;
   settings.iterations = 50;
@@ -74,7 +74,7 @@ SteppingSettings reference_settings(const SinteringCase& one, double window, dou
   return settings;
 }
 
-SteppingSettings plain(const SinteringCase& one, double fraction) {
+SteppingSettings plain(const Press& one, double fraction) {
   SteppingSettings settings = one.stepping;
   settings.scheme = SteppingSettings::Scheme::plain;
   settings.fraction = fraction;
@@ -83,7 +83,7 @@ SteppingSettings plain(const SinteringCase& one, double fraction) {
 
 }  // namespace
 
-MotionComparison compare_motion_schemes(const SinteringCase& one, Progress& progress) {
+MotionComparison compare_motion_schemes(const Press& one, Progress& progress) {
   const double begin = one.motion_window.value().first, end = one.motion_window->second;
   MotionComparison result{
       .begin = begin, .end = end, .travelled = 0, .reference = {}, .reference_error = 0, .rows = {}};
@@ -140,7 +140,7 @@ std::string motion_table(const MotionComparison& comparison) {
   return text;
 }
 
-std::string motion_csv(const SinteringCase& one, const MotionComparison& comparison) {
+std::string motion_csv(const Press& one, const MotionComparison& comparison) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
   fmt::format_to(

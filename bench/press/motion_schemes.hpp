@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/host/progress.hpp"
-#include "integrators/press/sintering_case.hpp"
+#include "case/press/press.hpp"
 
 namespace superstep {
 
@@ -30,9 +30,9 @@ struct MotionComparison {
 /// Follows the case up to its `motion_window` with its own settings, then compares schemes from there on:
 /// staggered with the case's tolerances and tighter ones, plain at several parts of its stability limit.
 /// Throws NumericalError when the window or its reference cannot be computed.
-[[nodiscard]] MotionComparison compare_motion_schemes(const dynamics::SinteringCase& one, Progress& progress);
+[[nodiscard]] MotionComparison compare_motion_schemes(const Press& one, Progress& progress);
 
 [[nodiscard]] std::string motion_table(const MotionComparison& comparison);
-[[nodiscard]] std::string motion_csv(const dynamics::SinteringCase& one, const MotionComparison& comparison);
+[[nodiscard]] std::string motion_csv(const Press& one, const MotionComparison& comparison);
 
 }  // namespace superstep

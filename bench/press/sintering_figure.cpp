@@ -11,7 +11,6 @@ namespace superstep {
 namespace {
 
 using dynamics::HistoryRow;
-using dynamics::SinteringCase;
 using Rows = std::span<const HistoryRow>;
 using Value = std::function<double(const HistoryRow&)>;
 
@@ -74,7 +73,7 @@ class Panel {
           offset_ + panel_height + 16, k * step);
   }
 
-  void phases(const SinteringCase& one, bool named) {
+  void phases(const Press& one, bool named) {
     for (const auto& phase : one.model.schedule.phases()) {
       if (phase.begin >= t_end_) break;
       const double end = std::min(phase.end, t_end_);
@@ -110,7 +109,7 @@ class Panel {
 
 }  // namespace
 
-std::string history_svg(const SinteringCase& one, Rows history) {
+std::string history_svg(const Press& one, Rows history) {
   fmt::memory_buffer out;
   const double height = top + 2 * panel_height + gap + 50;
   fmt::format_to(std::back_inserter(out),

@@ -4,14 +4,13 @@
 #include <span>
 #include <string>
 
+#include "case/press/press.hpp"
 #include "integrators/press/history.hpp"
-#include "integrators/press/sintering_case.hpp"
 
 namespace superstep {
 
 /// SVG with two panels over time: volume fraction, and mean and highest temperature; phases are marked and
 /// named. Needs at least one row.
-[[nodiscard]] std::string history_svg(const dynamics::SinteringCase& one,
-                                      std::span<const dynamics::HistoryRow> history);
+[[nodiscard]] std::string history_svg(const Press& one, std::span<const dynamics::HistoryRow> history);
 
 }  // namespace superstep

@@ -24,7 +24,7 @@ void add_flow(VtkPolyData& data, const std::string& field, const Points& contact
 
 }  // namespace
 
-VtkPolyData sintering_particles(const dynamics::SinteringCase& one, const dynamics::State& state) {
+VtkPolyData sintering_particles(const Press& one, const dynamics::State& state) {
   VtkPolyData data{
       .points = state.position, .lines = {}, .point_data = {}, .cell_data = {}, .time = state.time};
   data.point_data = {{"id", one.particles.id},
@@ -37,7 +37,7 @@ VtkPolyData sintering_particles(const dynamics::SinteringCase& one, const dynami
   return data;
 }
 
-VtkPolyData sintering_contacts(const dynamics::SinteringCase& one, const dynamics::MovingNetwork& network,
+VtkPolyData sintering_contacts(const Press& one, const dynamics::MovingNetwork& network,
                                const dynamics::State& state) {
   VtkPolyData data{
       .points = state.position, .lines = {}, .point_data = {}, .cell_data = {}, .time = state.time};

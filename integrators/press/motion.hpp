@@ -8,37 +8,12 @@
 #include <vector>
 
 #include "dynamics/moving_network.hpp"
+#include "dynamics/stepping.hpp"
 #include "integrators/integrator.hpp"
 #include "integrators/press/history.hpp"
-#include "integrators/press/step_control.hpp"
 #include "integrators/press/thermal_bridge.hpp"
 
 namespace superstep::dynamics {
-
-/// How time is stepped.
-struct SteppingSettings {
-  enum class Scheme : char {
-    staggered,  ///< phi rule by staggered fixed-point iteration, adaptive (Zohdi 2014, Algorithm 1)
-    plain,      ///< semi-implicit Euler, one force evaluation a step, at a part of its stability limit
-  };
-  Scheme scheme = Scheme::staggered;
-  double phi = 0.5;                     ///< 0 to 1; 0.5 is second order
-  int iterations = 10;                  ///< K_d, wanted iterations of a step, >= 2
-  double tolerance_position = 5e-4;     ///< TOL_r
-  double tolerance_temperature = 5e-4;  ///< TOL_T
-  double power = 2;                     ///< p of the contraction ~ h^p
-  double first_step = 0.005;            ///< s
-  double largest_step = 0.005;          ///< dt_lim [s]
-  double smallest_step = 1e-9;          ///< s; a step that has to become smaller is a failure
-  StepBounds bounds;
-  double fraction = 0.5;  ///< plain scheme: of its stability limit
-  /// SPEC of the integrator that takes the temperatures over each step once the motion has converged; empty =
-  /// the phi rule inside the iteration.
-  std::string thermal_integrator;
-};
-
-/// Throws InputError for a setting that is out of range.
-void check_settings(const SteppingSettings& settings);
 
 /// What became of an attempt at a step.
 struct Attempt {

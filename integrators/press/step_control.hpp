@@ -2,7 +2,6 @@
 /// Step sizes from the rate at which a fixed-point iteration converges.
 /// Source: Zohdi (2014), eqs 30, 47-49 and Algorithm 1.
 
-#include <algorithm>
 #include <cmath>
 
 namespace superstep::dynamics {
@@ -28,20 +27,6 @@ struct FieldError {
     if (first == 0 || last == 0 || iteration < 2) return unknown;
     return std::pow(tolerance / first, 1 / (power * wanted)) /
            std::pow(last / first, 1 / (power * (iteration - 1)));
-  }
-};
-
-/// Bounds of the change from one step to the next; the paper has none.
-struct StepBounds {
-  double growth = 2;             ///< largest factor, > 1
-  double shrink = 0.1;           ///< smallest factor, in (0, 1)
-  double rejected_shrink = 0.9;  ///< a restarted step shrinks at least to this part
-
-  [[nodiscard]] double after_success(double factor) const noexcept {
-    return std::clamp(factor, shrink, growth);
-  }
-  [[nodiscard]] double after_failure(double factor) const noexcept {
-    return std::clamp(factor, shrink, rejected_shrink);
   }
 };
 

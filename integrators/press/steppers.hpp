@@ -6,6 +6,7 @@
 
 #include "core/reduction.hpp"
 #include "integrators/press/motion.hpp"
+#include "integrators/press/step_control.hpp"
 
 namespace superstep::dynamics {
 

@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "case/build_rhs.hpp"
 #include "case/checks/law_ranges.hpp"
 #include "case/checks/number_ranges.hpp"
@@ -28,30 +25,6 @@ void require_known_tables(TomlTable& root) {
         "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
     (void)root.find(key);
   root.finish();
-}
-
-void read_times(TomlTable& root, Scene& scene) {
-  scene.t_end = root.positive("t_end", "s");
-  scene.output_times = {scene.t_end};
-  const auto times = root.find("output_times");
-  if (!times) return;
-  scene.output_times = times->numbers();
-  scene.own_output_times = true;
-  double previous = 0;
-  for (const double t : scene.output_times) {
-    if (!(t > previous)) times->reject("the times must be > 0 and ascending [s]");
-    previous = t;
-  }
-  if (scene.output_times.empty() || scene.output_times.back() > scene.t_end)
-    times->reject(fmt::format("there must be at least one time, and none after t_end = {}", scene.t_end));
-  if (scene.output_times.back() < scene.t_end) scene.output_times.push_back(scene.t_end);
-}
-
-void read_bench(TomlTable& root, Scene& scene) {
-  auto bench = root.table("bench");
-  if (!bench) return;
-  if (const auto baseline = bench->string("baseline")) scene.bench.baseline = *baseline;
-  if (const auto integrators = bench->find("integrators")) scene.bench.integrators = integrators->strings();
 }
 
 void read_published(TomlTable& root, Scene& scene) {
@@ -149,15 +122,9 @@ Scene load_scene(const std::string& path) {
 }
 
 Scene load_scene(TomlTable root) {
-  const std::string path = root.file();
   Scene scene;
-  scene.file = path;
-  scene.name = std::filesystem::path(path).stem().string();
   require_known_tables(root);
-  scene.title = root.string("title").value_or(scene.name);
-  scene.source = root.string("source").value_or("");
-  read_times(root, scene);
-  read_bench(root, scene);
+  read_head(root, scene);
   read_published(root, scene);
   const auto probe = root.find("probe");
   Coupling coupling;
@@ -168,9 +135,11 @@ Scene load_scene(TomlTable root) {
   root.finish();
   require_workable_numbers(scene);
   require_laws_to_hold(scene);
-  build_rhs(path, coupling, scene);
+  build_rhs(scene.file, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);
   scene.warnings = range_warnings(scene);
+  if (scene.packed && !scene.packed->packing.frame.empty())
+    scene.warnings.push_back(fmt::format("the packing is {} of its file", scene.packed->packing.frame));
   for (const auto& field : scene.fields)
     scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
   return scene;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "case/case_head.hpp"
 #include "contact/contact.hpp"
 #include "contact/neck.hpp"
 #include "network/network.hpp"
@@ -17,8 +18,6 @@
 #include "rhs/rhs.hpp"
 
 namespace superstep {
-
-class TomlTable;
 
 /// A node whose history is recorded: an entry of the state, or a constant (fixed and idle nodes).
 struct Probe {
@@ -66,19 +65,8 @@ struct FieldScene {
   double low = 0, high = 0;               ///< range of initial and fixed values
 };
 
-/// What `[bench]` asks for.
-struct BenchSettings {
-  std::string baseline = "forward-euler:fraction=1,bound=lanczos";  ///< at its true limit
-  std::vector<std::string> integrators;                             ///< empty = every family
-};
-
-struct Scene {
-  std::string file, name;  ///< path of the case; its stem
-  std::string title, source;
-  std::string content_hash;          ///< of the case and its data files; empty = nobody asked
-  double t_end = 0;                  ///< s
-  std::vector<double> output_times;  ///< s, ascending; the last is t_end
-  bool own_output_times = false;     ///< the case states them; else there is t_end alone
+struct Scene : CaseHead {
+  std::string content_hash;  ///< of the case and its data files; empty = nobody asked
   std::optional<PackingScene> packed;
   std::vector<FieldScene> fields;
   std::unique_ptr<Rhs> rhs;
@@ -87,7 +75,6 @@ struct Scene {
   NonlinearRhs* moving_potential = nullptr;  ///< solves for a steady potential that follows the state
   double settle_tolerance = 0;  ///< of the potential's span: steady enough not to be stepped on; 0 = never
   std::vector<Probe> probes;
-  BenchSettings bench;
   std::map<std::string, double> published;  ///< figures of the source to print beside ours
   std::vector<std::string> warnings;
   std::vector<Skip> skips;

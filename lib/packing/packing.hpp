@@ -16,6 +16,7 @@ struct Packing {
   std::vector<double> radius;          ///< [n] m, > 0
   std::vector<std::int32_t> material;  ///< [n] index into material_names; all 0 where the file names none
   std::vector<std::string> material_names;  ///< empty where the file names none
+  std::string frame;  ///< which of the frames of its file this is, in words; empty where there is one
 
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
 };

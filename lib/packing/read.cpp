@@ -65,6 +65,15 @@ Packing read_packing(const std::string& path, double unit) {
   return read_csv(path, unit);
 }
 
+bool reads_as_packing(const std::string& path) {
+  try {
+    (void)read_packing(path);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 std::string stated_length_unit(const std::string& path) {
   constexpr std::string_view key = "length_unit";
   require_regular_file(path);

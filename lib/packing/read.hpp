@@ -14,6 +14,9 @@ namespace superstep {
 /// Throws InputError that names file, line, value and rule.
 [[nodiscard]] Packing read_packing(const std::string& path, double unit = 1.0);
 
+/// True for a file that `read_packing` takes.
+[[nodiscard]] bool reads_as_packing(const std::string& path);
+
 /// Metres per unit for "m", "mm", "um", "nm", "cm". Throws InputError (beginning with `where`) for any other
 /// name.
 [[nodiscard]] double length_unit(const std::string& name, const std::string& where);

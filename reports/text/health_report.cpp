@@ -56,6 +56,7 @@ class Text {
 void write_packing(Text& text, const Scene& scene, const PackingHealth& packing) {
   text.heading("Packing");
   text.row("particles", "{}", packing.particles);
+  if (const auto& frame = scene.packed->packing.frame; !frame.empty()) text.row("of its file", "{}", frame);
   text.row("contacts", "{}", packing.contacts);
   text.row("diameters", "{:.4g} to {:.4g} m", packing.diameter_min, packing.diameter_max);
   if (packing.relative_density) text.row("relative density", "{:.4f}", *packing.relative_density);

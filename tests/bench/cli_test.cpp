@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "temporary_case.hpp"
@@ -59,6 +60,26 @@ TEST_F(Program, SwappedLettersAreForgiven) {
   expect_error("bnech rod.toml", 2, "did you mean 'bench'");
   expect_error("repotr result", 2, "did you mean 'report'");
   expect_error("run rod.toml --integrator forward-euelr", 2, "did you mean 'forward-euler'");
+}
+
+TEST_F(Program, LongerAndShorterNamesAreUnderstood) {
+  expect_error("benchmark rod.toml", 2, "did you mean 'bench'");
+  expect_error("run rod.toml --integrator euler", 2, "did you mean 'forward-euler'");
+  folder_.write("three.csv", "id,x,y,z,radius\n1,0,0,0,1\n2,1.9,0,0,1\n");
+  folder_.write("necks.toml",
+                "t_end = 1\n[packing]\nfile = \"three.csv\"\n[material]\ndensity = 1\n[contact]\n"
+                "neck = \"hertzian\"\n[thermal]\nconductivity = 1\nspecific_heat = 1\ninitial = 0\n");
+  expect_error("info necks.toml", 3, "did you mean 'hertz'");
+}
+
+TEST_F(Program, APackingInPlaceOfACaseIsToldApart) {
+  folder_.write("three.csv", "id,x,y,z,radius\n1,0,0,0,1\n2,1.9,0,0,1\n");
+  for (const char* command : {"run", "bench", "info", "stability", "bench --work-precision"}) {
+    expect_error(fmt::format("{} three.csv", command), 3, "three.csv: this is a packing");
+    EXPECT_NE(err().find("[packing] file = 'three.csv'"), std::string::npos) << err();
+  }
+  folder_.write("list.csv", "a,b\n1,2\n");
+  expect_error("run list.csv", 3, "list.csv:1");
 }
 
 TEST_F(Program, ReportsNeedResultsAndNamesOfFoldersDoNoHarm) {
@@ -208,6 +229,34 @@ TEST_F(Program, SeveralIntegratorsGetAFolderEach) {
   EXPECT_TRUE(folder_.has("result/sts_n=5/final.csv"));
 }
 
+TEST_F(Program, AListOfIntegratorsEndsAtTheNextOptionOrCase) {
+  const std::string bench = "bench --repetitions 1 --reference none --json --quiet --out result ";
+  for (const char* order : {"rod.toml --integrator rkc sts:n=5,nu=0.05 cvode --threads 1",
+                            "--integrator rkc sts:n=5,nu=0.05 --integrator cvode rod.toml",
+                            "--integrator=rkc sts:n=5,nu=0.05 cvode ./rod.toml"}) {
+    ASSERT_EQ(run(bench + order), 0) << order << err();
+    std::vector<std::string> specs;
+    const auto json = nlohmann::json::parse(out());
+    for (const auto& row : json.at("cases").at(0).at("rows")) specs.push_back(row.at("integrator"));
+    EXPECT_EQ(specs, (std::vector<std::string>{"rkc", "sts", "cvode", "forward-euler"})) << order;
+  }
+  ASSERT_EQ(run("run rod.toml --integrator cvode sts:n=5 --out two"), 0) << err();
+  EXPECT_TRUE(folder_.has("two/cvode/final.csv") && folder_.has("two/sts_n=5/final.csv"));
+  std::filesystem::remove_all(folder_.file("result"));
+  folder_.write("plain", folder_.read("rod.toml"));
+  EXPECT_EQ(run("run --integrator cvode plain --out three"), 0)
+      << "a case may be called what it likes" << err();
+  expect_error("run rod.toml --integrator cvode rkq --out result", 2, "unknown integrator 'rkq'");
+  expect_error("run --integrator rod.toml --out result", 2, "a case file is missing");
+}
+
+TEST_F(Program, OneRepetitionHasNoSpread) {
+  ASSERT_EQ(run("bench rod.toml --integrator rkc --reference none --repetitions 1 --out result"), 0) << err();
+  EXPECT_EQ(out().find('%'), std::string::npos) << out();
+  ASSERT_EQ(run("bench rod.toml --integrator rkc --reference none --repetitions 2 --out result"), 0) << err();
+  EXPECT_NE(out().find('%'), std::string::npos) << out();
+}
+
 TEST_F(Program, ToleranceReachesTheMethod) {
   ASSERT_EQ(run("run rod.toml --integrator cvode:rtol=1e-2 --tolerance 1e-8 --json --out result"), 0)
       << err();
@@ -270,6 +319,12 @@ TEST_F(Program, ListNamesEveryIntegratorWithItsKeys) {
   EXPECT_NE(std::find(names.begin(), names.end(), "cvode"), names.end());
   EXPECT_NE(std::find(names.begin(), names.end(), "sts"), names.end());
   EXPECT_TRUE(json.at("cases").empty());
+  for (const auto& entry : json.at("integrators"))
+    for (const auto& key : entry.at("keys"))
+      if (key.at("name") == "rtol")
+        EXPECT_EQ(key.at("meaning"),
+                  "error allowed at every output time (rms), relative to the span of the field")
+            << entry.at("name") << ": a tolerance means the same everywhere";
 }
 
 }  // namespace

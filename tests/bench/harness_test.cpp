@@ -41,14 +41,15 @@ class RodBench : public testing::Test {
   }
 
   CaseFolder folder_;
-  Scene scene_ = load_bench_case(write_rod(folder_, Rod{})).scene;
+  Scene scene_ = std::get<Scene>(load_bench_case(write_rod(folder_, Rod{})).content);
   HarnessOptions options_;
   Progress silent_{false};
 };
 
 TEST_F(RodBench, TheBaselineIsAppendedOnce) {
-  EXPECT_EQ(contenders(scene_, {}).back(), "forward-euler");
-  EXPECT_EQ(contenders(scene_, {"forward-euler", "sts"}), (std::vector<std::string>{"forward-euler", "sts"}));
+  EXPECT_EQ(contenders(scene_.bench, {}).back(), "forward-euler");
+  EXPECT_EQ(contenders(scene_.bench, {"forward-euler", "sts"}),
+            (std::vector<std::string>{"forward-euler", "sts"}));
 }
 
 TEST_F(RodBench, EveryIntegratorOfTheCaseIsMeasured) {

@@ -2,13 +2,17 @@
 
 #include "bench/app/loaded_case.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <tuple>
 
 #include "bench/harness/harness.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
+#include "small_press.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {
@@ -38,13 +42,13 @@ TEST(BenchCase, WithoutIntegratorsEveryFamilyIsMeasuredAgainstEulerAtItsTrueLimi
   Rod rod;
   rod.bench = "";
   const Scene scene = load_scene(write_rod(folder, rod));
-  const auto specs = contenders(scene, {});
+  const auto specs = contenders(scene.bench, {});
   EXPECT_EQ(scene.bench.baseline, "forward-euler:fraction=1,bound=lanczos");
   for (const auto& entry : integrators())
     EXPECT_TRUE(std::any_of(specs.begin(), specs.end(), [&](const auto& spec) {
       return parse_spec(spec).name == entry.name;
     })) << entry.name;
-  EXPECT_EQ(contenders(scene, {"rkc"}).size(), 2U) << "what is asked for, and the baseline";
+  EXPECT_EQ(contenders(scene.bench, {"rkc"}).size(), 2U) << "what is asked for, and the baseline";
 }
 
 TEST(BenchCase, WithoutOutputTimesErrorsAreJudgedThroughTheTransient) {
@@ -52,9 +56,43 @@ TEST(BenchCase, WithoutOutputTimesErrorsAreJudgedThroughTheTransient) {
   Rod open, stated;
   open.head = "t_end = 100\n";
   stated.head = "t_end = 100\noutput_times = [100]\n";
-  EXPECT_EQ(load_bench_case(write_rod(folder, open)).scene.output_times, (std::vector<double>{2, 10, 100}));
-  EXPECT_EQ(load_bench_case(write_rod(folder, stated)).scene.output_times, (std::vector<double>{100}));
-  EXPECT_EQ(load_case(write_rod(folder, open)).scene.output_times, (std::vector<double>{100})) << "a run";
+  EXPECT_EQ(load_bench_case(write_rod(folder, open)).head().output_times, (std::vector<double>{2, 10, 100}));
+  EXPECT_EQ(load_bench_case(write_rod(folder, stated)).head().output_times, (std::vector<double>{100}));
+  EXPECT_EQ(load_checked_case(write_rod(folder, open)).head().output_times, (std::vector<double>{100}))
+      << "a run";
+}
+
+TEST(LoadedCase, IsWhatItsFileSaysAndCommandsThatNeedAFixedNetworkSaySo) {
+  const CaseFolder folder;
+  const LoadedCase rod = load_checked_case(write_rod(folder, Rod{}));
+  const LoadedCase press = load_bench_case(test::small_press(folder));
+  ASSERT_TRUE(std::holds_alternative<Scene>(rod.content));
+  ASSERT_TRUE(std::holds_alternative<Press>(press.content));
+  EXPECT_EQ(&scene_of(rod.content, "stability"), &std::get<Scene>(rod.content));
+  EXPECT_EQ(press.head().title, "small press");
+  EXPECT_EQ(press.head().output_times, (std::vector<double>{0.02, 0.04})) << "those of the case";
+  const auto said = message_of<InputError>([&] { (void)scene_of(press.content, "stability"); });
+  EXPECT_NE(said.find("press.toml: its particles move"), std::string::npos) << said;
+  EXPECT_NE(said.find("stability needs"), std::string::npos) << said;
+}
+
+TEST(LoadedCase, SpecsOfAPressAreTheFilesFaultAtTheirLine) {
+  const CaseFolder folder;
+  const std::string text = folder.read(std::filesystem::path(test::small_press(folder)).filename().string());
+  for (const auto& [from, to, key] :
+       {std::tuple{"\"rkc:rtol=1e-5\"", "\"rkq\"", "bench.integrators"},
+        std::tuple{"[bench]\n", "[bench]\nbaseline = \"rkq\"\n", "bench.baseline"},
+        std::tuple{"[dynamics]\n", "[dynamics]\nthermal_integrator = \"rkq\"\n",
+                   "dynamics.thermal_integrator"}}) {
+    std::string wrong = text;
+    wrong.replace(wrong.find(from), std::string(from).size(), to);
+    const std::string file = folder.write("wrong.toml", wrong);
+    const auto line =
+        1 + std::count(wrong.begin(), wrong.begin() + static_cast<long>(wrong.find("rkq")), '\n');
+    const auto said = message_of<InputError>([&] { (void)load_checked_case(file); });
+    EXPECT_EQ(said,
+              fmt::format("{}:{}: key '{}': unknown integrator 'rkq'; did you mean 'rkc'?", file, line, key));
+  }
 }
 
 TEST(BenchCase, SizesThatMustBeASlipAreRefusedWithTheLikelyUnit) {
@@ -65,7 +103,8 @@ TEST(BenchCase, SizesThatMustBeASlipAreRefusedWithTheLikelyUnit) {
   EXPECT_NE(said.find("1e-11 m"), std::string::npos) << said;
   EXPECT_NE(said.find("length_unit = \"m\" would make it 1e-05 m"), std::string::npos) << said;
   EXPECT_NO_THROW((void)load_bench_case(row_of_spheres(folder, "um", 5)));
-  EXPECT_NO_THROW((void)load_case(row_of_spheres(folder, "um", 5e-6))) << "a run may be what it likes";
+  EXPECT_NO_THROW((void)load_checked_case(row_of_spheres(folder, "um", 5e-6)))
+      << "a run may be what it likes";
 }
 
 TEST(BenchCase, APackingThatStatesItsUnitIsReadInItAndMayNotBeContradicted) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/app/loaded_case.hpp"
 #include "bench/harness/harness.hpp"
 #include "temporary_case.hpp"
 
@@ -29,13 +28,13 @@ std::string write_spheres(const CaseFolder& folder, const std::string& bench, do
 }
 
 BenchCase bench(const std::string& file, const std::string& reference) {
-  const LoadedCase loaded = load_case(file);
+  const Scene scene = load_scene(file);
   Progress silent(false);
   HarnessOptions options;
   options.reference = reference;
   options.use_cache = false;
   options.repetitions = 1;
-  return bench_case(loaded.scene, loaded.cpu_setup, options, silent);
+  return bench_case(scene, 0.01, options, silent);
 }
 
 TEST(Observations, HoldCurvesWithTheReferenceAndASlice) {

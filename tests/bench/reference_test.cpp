@@ -36,7 +36,7 @@ class CachedReferenceTest : public testing::Test {
   }
 
   CaseFolder folder_;
-  Scene scene_ = load_bench_case(write_rod(folder_, Rod{})).scene;
+  Scene scene_ = std::get<Scene>(load_bench_case(write_rod(folder_, Rod{})).content);
   ProbeSet probes_{scene_};
   Progress silent_{false};
 };
@@ -61,7 +61,7 @@ TEST_F(CachedReferenceTest, TheSecondTimeCostsNoIntegration) {
 
 TEST_F(CachedReferenceTest, AnyNumberThatTheAnswerDependsOnMissesAndATitleHits) {
   const auto from_cache = [&](const Rod& rod) {
-    const Scene scene = load_bench_case(write_rod(folder_, rod)).scene;
+    const Scene scene = std::get<Scene>(load_bench_case(write_rod(folder_, rod)).content);
     const ProbeSet probes(scene);
     return obtain_reference(scene, probes, {.spec = "cvode:rtol=1e-8"}, silent_).reference->from_cache;
   };

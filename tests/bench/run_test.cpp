@@ -130,7 +130,7 @@ TEST(LoadedCase, ABadSpecInACaseIsTheFilesFault) {
   rod.bench = "integrators = [\"forward-euler:stepp=1\"]\n";
   const std::string file = write_rod(folder, rod);
   try {
-    (void)load_case(file);
+    (void)load_checked_case(file);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(file), std::string::npos) << error.what();

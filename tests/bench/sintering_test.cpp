@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/commands.hpp"
-#include "bench/output/thermal_lanes.hpp"
 #include "bench/press/motion_schemes.hpp"
+#include "bench/press/thermal_lanes.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
 #include "small_press.hpp"
@@ -134,12 +135,12 @@ TEST(RunSintering, OptionsOfMovingParticlesAreRefusedElsewhere) {
 
 TEST(BenchSintering, LanesMeasureErrorAndWork) {
   const CaseFolder folder;
-  const auto one = dynamics::load_sintering_case(small_press(folder));
+  const auto one = load_press(small_press(folder));
   HarnessOptions options;
   options.reference = "exponential:rtol=1e-12";
   options.repetitions = 2;
   Progress progress(false);
-  const BenchCase result = bench_thermal_lanes(one, options, progress);
+  const BenchCase result = bench_thermal_lanes(one, 0.5, options, progress);
   ASSERT_EQ(result.rows.size(), 2U);
   const BenchRow &euler = result.rows[0], &rkc = result.rows[1];
   EXPECT_TRUE(euler.ok() && rkc.ok());
@@ -148,11 +149,48 @@ TEST(BenchSintering, LanesMeasureErrorAndWork) {
   EXPECT_LT(*rkc.errors.rms, 0.1 * *euler.errors.rms) << "its tolerance asks for 1e-5 of the span";
   EXPECT_LE(*rkc.errors.rms, *rkc.errors.max);
   EXPECT_GT(*euler.rhs, 0U);
+  EXPECT_DOUBLE_EQ(*rkc.speedup_total, euler.cpu_total->median / rkc.cpu_total->median);
+  EXPECT_EQ(result.cpu_setup, 0.5);
+}
+
+TEST(BenchSintering, GoesThroughTheHarnessOfAllCases) {
+  const CaseFolder folder;
+  BenchCommand command;
+  command.case_files = {small_press(folder)};
+  command.harness.repetitions = 1;
+  command.report = true;
+  command.out = folder.file("out");
+  command.common.quiet = true;
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  for (const char* name : {"results.csv", "results.json", "motion.csv", "report.html"})
+    EXPECT_TRUE(folder.has(std::string("out/") + name)) << name;
+  EXPECT_FALSE(folder.has("out/health.json")) << "there is no network that stays as it is";
+  const auto json = nlohmann::json::parse(folder.read("out/results.json"));
+  EXPECT_EQ(json["cases"][0]["reference"]["spec"], "exponential:basis=chebyshev,rtol=1e-12");
+  EXPECT_GT(json["cases"][0]["cpu_setup_s"], 0.0);
+
+  command.case_files.push_back(write_rod(folder, test::Rod{}));
+  EXPECT_THROW((void)execute(command), UsageError) << "side by side with others";
+}
+
+TEST(BenchSintering, WithoutIntegratorsEveryFamilyIsMeasured) {
+  const CaseFolder folder;
+  std::string text = folder.read(std::filesystem::path(small_press(folder)).filename().string());
+  text.erase(text.find("integrators ="),
+             std::string("integrators = [\"forward-euler\", \"rkc:rtol=1e-5\"]").size());
+  HarnessOptions options;
+  options.repetitions = 1;
+  Progress progress(false);
+  const Press one = load_press(folder.write("open.toml", text));
+  const BenchCase result = bench_thermal_lanes(one, 0, options, progress);
+  EXPECT_EQ(result.rows.size(), contenders(one.bench, {}).size());
+  EXPECT_GT(result.rows.size(), 5U);
+  for (const auto& row : result.rows) EXPECT_TRUE(row.ok()) << row.spec << ": " << row.reason;
 }
 
 TEST(BenchSintering, MotionErrorsFallWithTheStep) {
   const CaseFolder folder;
-  const auto one = dynamics::load_sintering_case(small_press(folder));
+  const auto one = load_press(small_press(folder));
   Progress progress(false);
   const MotionComparison result = compare_motion_schemes(one, progress);
   EXPECT_GT(result.travelled, 0);

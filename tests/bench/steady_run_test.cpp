@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/app/loaded_case.hpp"
 #include "bench/measure/run_one.hpp"
 #include "bench/output/run_files.hpp"
 #include "temporary_case.hpp"
@@ -40,24 +39,25 @@ nlohmann::json record(const Scene& scene, const std::string& spec, const RunResu
 
 TEST(SteadyRun, AFieldAloneIsSolvedForAndNothingIsIntegrated) {
   const test::CaseFolder folder;
-  const auto loaded = load_case(write_row(folder, ""));
+  const Scene scene = load_scene(write_row(folder, ""));
   for (const char* spec : {"auto", "exponential", "cvode", "rkc", "forward-euler"}) {
-    const RunResult run = run_with_probes(loaded.scene, spec);
+    const RunResult run = run_with_probes(scene, spec);
     ASSERT_TRUE(run.outcome.ok()) << spec << ": " << run.outcome.reason;
     EXPECT_EQ(run.t_reached, 1.0);
     EXPECT_EQ(run.sweeps, 0U);
-    EXPECT_EQ(record(loaded.scene, spec, run)["unknowns"], 0);
+    EXPECT_EQ(record(scene, spec, run)["unknowns"], 0);
   }
-  const std::string csv = final_csv(loaded.scene, 1.0, {});
+  const std::string csv = final_csv(scene, 1.0, {});
   EXPECT_NE(csv.find("potential"), std::string::npos);
 }
 
 TEST(SteadyRun, RecordsWhatTheElectrodesDo) {
   const test::CaseFolder folder;
-  const auto loaded = load_case(write_row(folder, "[thermal]\nconductivity = 50.0\nspecific_heat = 500.0\n"));
-  const RunResult run = run_with_probes(loaded.scene, "auto");
+  const Scene scene =
+      load_scene(write_row(folder, "[thermal]\nconductivity = 50.0\nspecific_heat = 500.0\n"));
+  const RunResult run = run_with_probes(scene, "auto");
   ASSERT_TRUE(run.outcome.ok()) << run.outcome.reason;
-  const auto json = record(loaded.scene, "auto", run);
+  const auto json = record(scene, "auto", run);
   const double current = json["electrodes"]["current_in_a"], heat = json["electrodes"]["joule_heat_w"];
   EXPECT_GT(current, 0);
   EXPECT_NEAR(heat / current, 1.0, 1e-10);  // V I = heat, V = 1
@@ -67,13 +67,13 @@ TEST(SteadyRun, RecordsWhatTheElectrodesDo) {
 
 TEST(SteadyRun, ARefusalIsAnOutcomeOfAnyMethod) {
   const test::CaseFolder folder;
-  const auto loaded = load_case(write_row(
+  const Scene scene = load_scene(write_row(
       folder,
       "[thermal]\nconductivity = { law = \"linear\", value = 50.0, coefficient = 0.1, reference = 0.0 "
       "}\nspecific_heat = 500.0\n"));
-  const RunResult run = run_with_probes(loaded.scene, "exponential");
+  const RunResult run = run_with_probes(scene, "exponential");
   EXPECT_EQ(run.outcome.status, Status::refused);
-  EXPECT_EQ(record(loaded.scene, "exponential", run)["outcome"]["status"], "refused");
+  EXPECT_EQ(record(scene, "exponential", run)["outcome"]["status"], "refused");
 }
 
 }  // namespace

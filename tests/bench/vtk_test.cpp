@@ -8,7 +8,6 @@
 #include <filesystem>
 
 #include "bench/app/commands.hpp"
-#include "bench/app/loaded_case.hpp"
 #include "bench/output/vtk_poly_data.hpp"
 #include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
@@ -109,10 +108,9 @@ TEST(Vtk, MovingParticlesHaveTheirOwnContactsAtEachInstant) {
 
 TEST(Vtk, ANetworkWithoutPositionsIsRefused) {
   const CaseFolder folder;
-  const LoadedCase loaded = load_case(write_rod(folder, {}));
-  EXPECT_NE(
-      message_of<InputError>([&] { VtkSeries(loaded.scene, folder.file("out")); }).find("leave --vtk out"),
-      std::string::npos);
+  const Scene scene = load_scene(write_rod(folder, {}));
+  EXPECT_NE(message_of<InputError>([&] { VtkSeries(scene, folder.file("out")); }).find("leave --vtk out"),
+            std::string::npos);
   EXPECT_FALSE(folder.has("out"));
 }
 
@@ -121,8 +119,8 @@ TEST(Vtk, OnlyItsOwnOldFilesAreRemoved) {
   std::filesystem::create_directories(folder.file("out/vtk"));
   for (const char* name : {"particles_0099.vtp", "contacts_0099.vtp", "mine.vtp", "particles.txt"})
     folder.write(std::string("out/vtk/") + name, "old");
-  const LoadedCase loaded = load_case(SUPERSTEP_SOURCE_DIR "/cases/lattice.toml");
-  const VtkSeries series(loaded.scene, folder.file("out"));
+  const Scene scene = load_scene(SUPERSTEP_SOURCE_DIR "/cases/lattice.toml");
+  const VtkSeries series(scene, folder.file("out"));
   EXPECT_FALSE(folder.has("out/vtk/particles_0099.vtp"));
   EXPECT_FALSE(folder.has("out/vtk/contacts_0099.vtp"));
   EXPECT_TRUE(folder.has("out/vtk/mine.vtp"));

@@ -18,6 +18,16 @@ TEST(NearestName, FindsSlipsOfThePen) {
   EXPECT_EQ(nearest_name("reprot", commands), "report");
 }
 
+TEST(NearestName, FindsTheNameInALongerOrAShorterOne) {
+  EXPECT_EQ(nearest_name("benchmark", commands), "bench");
+  EXPECT_EQ(nearest_name("info-of-a-case", commands), "info");
+  const std::vector<std::string> methods = {"forward-euler", "exponential", "cvode"};
+  EXPECT_EQ(nearest_name("euler", methods), "forward-euler");
+  EXPECT_EQ(nearest_name("ode", methods), "") << "a few letters are in anything";
+  const std::vector<std::string> laws = {"hertzian-of-old", "hertzian-x"};
+  EXPECT_EQ(nearest_name("hertz", laws), "hertzian-x") << "the closest of several";
+}
+
 TEST(NearestName, DoesNotGuessWildly) {
   EXPECT_EQ(nearest_name("xyz", commands), "");
   EXPECT_EQ(nearest_name("hcneb", commands), "");

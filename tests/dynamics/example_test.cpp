@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/text/text_file.hpp"
-#include "integrators/press/sintering_case.hpp"
+#include "case/press/press.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -17,7 +17,7 @@ struct End {
   std::int64_t bonds;
 };
 
-std::vector<End> phase_ends(const SinteringCase& one, Motion& motion) {
+std::vector<End> phase_ends(const Press& one, Motion& motion) {
   motion.start(one.state);
   std::vector<End> ends;
   for (const auto& phase : one.model.schedule.phases()) {
@@ -30,8 +30,8 @@ std::vector<End> phase_ends(const SinteringCase& one, Motion& motion) {
 }
 
 TEST(Example, PoursPressesHeatsBondsAndSpringsBack) {
-  const SinteringCase one =
-      load_sintering_case(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/sintering_example.toml");
+  const Press one =
+      load_press(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/sintering_example.toml");
   Motion motion(one.model, one.particles, one.stepping);
   const auto ends = phase_ends(one, motion);
   enum : std::size_t { fall, pour, press, hold, release };

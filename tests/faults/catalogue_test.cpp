@@ -12,9 +12,9 @@
 #include <tuple>
 
 #include "bad_inputs.hpp"
+#include "case/press/press.hpp"
 #include "case/scene.hpp"
 #include "core/text/toml.hpp"
-#include "integrators/press/sintering_case.hpp"
 #include "program.hpp"
 #include "whole_cases.hpp"
 
@@ -35,8 +35,8 @@ class Catalogue : public testing::Test {
   /// Keys that the readers asked for.
   std::vector<std::string> asked_of(const WholeCase& one) {
     TomlTable root = TomlTable::parse_file(write(one, test::toml_text(one.tree).text));
-    if (one.scene == CaseKey::press)
-      (void)dynamics::load_sintering_case(root);
+    if (one.scene == CaseKey::press)  // by its own reader: all others ask for [dynamics] as well
+      (void)load_press(root);
     else
       (void)load_scene(root);
     return root.asked_keys();

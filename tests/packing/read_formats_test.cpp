@@ -40,6 +40,7 @@ TEST(ReadLammpsDump, TakesTheLastFrameAndColumnsInAnyOrder) {
   EXPECT_DOUBLE_EQ(packing.radius[0], 0.5e-3);
   EXPECT_EQ(packing.material_names, (Names{"1", "2"}));
   EXPECT_EQ(packing.material, (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(packing.frame, "the last of 2 frames, time step 100");
 }
 
 TEST(ReadLammpsDump, HalvesDiametersAndDoesWithoutIdsAndTypes) {
@@ -47,6 +48,7 @@ TEST(ReadLammpsDump, HalvesDiametersAndDoesWithoutIdsAndTypes) {
   EXPECT_EQ(packing.id, (Ids{0, 1}));
   EXPECT_EQ(packing.radius, (std::vector<double>{0.5, 1.5}));
   EXPECT_TRUE(packing.material_names.empty());
+  EXPECT_EQ(packing.frame, "") << "there is no choice";
 }
 
 TEST(ReadLammpsDump, ASingleTypeIsNoMaterial) {
@@ -171,6 +173,7 @@ TEST(ReadMercury, TakesTheLastFrame) {
   EXPECT_EQ(packing.centre[1].y, 5.0);
   EXPECT_EQ(packing.radius, (std::vector<double>{0.5, 0.25}));
   EXPECT_EQ(packing.material_names, (Names{"0", "3"}));
+  EXPECT_EQ(packing.frame, "the last of 2 frames, t = 1");
 }
 
 TEST(ReadMercury, RefusesBadFramesByLine) {

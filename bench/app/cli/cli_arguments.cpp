@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <type_traits>
 #include <variant>
 
@@ -11,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/text/suggest.hpp"
 #include "core/text/text_file.hpp"
+#include "integrators/registry.hpp"
 
 namespace superstep {
 namespace {
@@ -59,7 +61,7 @@ void add_option(CLI::App& command, const OptionEntry& option, Arguments& values)
       command.add_flag(option.name, values.*member, option.meaning);
     } else {
       auto* added = command.add_option(option.name, values.*member, option.meaning)->type_name(option.type);
-      // A list takes one value per mention: it must not swallow the case file that follows.
+      // A list takes one value per mention: `with_lists_spelt_out` has taken it apart.
       if constexpr (std::is_same_v<Value, std::vector<std::string>>) added->allow_extra_args(false);
     }
   };
@@ -92,9 +94,48 @@ void add_commands(CLI::App& app, Arguments& values) {
   for (const auto& entry : command_entries()) add_command(app, entry, values);
 }
 
+/// Names of options that take a list.
+std::vector<std::string> names_of_lists() {
+  std::vector<std::string> names;
+  for (const auto& entry : command_entries())
+    for (const auto& option : entry.options)
+      if (std::holds_alternative<std::vector<std::string> Arguments::*>(option.target))
+        names.push_back(option.name);
+  return names;
+}
+
+/// A case file among SPECs: no integrator is called like a path, and what is a file on disk is meant as one.
+bool is_case_file(const std::string& word) {
+  const std::string name = word.substr(0, word.find(':'));
+  const auto known = integrators();
+  const bool is_method =
+      std::any_of(known.begin(), known.end(), [&](const auto& entry) { return entry.name == name; });
+  std::error_code none;
+  return !is_method &&
+         (name.find_first_of("./") != std::string::npos || std::filesystem::is_regular_file(word, none));
+}
+
+/// "--integrator A B" as "--integrator A --integrator B": a list ends at the next option or case file.
+std::vector<std::string> with_lists_spelt_out(const std::vector<std::string>& line) {
+  const auto lists = names_of_lists();
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    out.push_back(line[k]);
+    const std::string name = line[k].substr(0, line[k].find('='));
+    if (std::find(lists.begin(), lists.end(), name) == lists.end()) continue;
+    if (name == line[k] && k + 1 < line.size()) out.push_back(line[++k]);
+    for (; k + 1 < line.size() && !line[k + 1].starts_with("-") && !is_case_file(line[k + 1]); ++k) {
+      out.push_back(name);
+      out.push_back(line[k + 1]);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
-Arguments read_arguments(const std::vector<std::string>& line) {
+Arguments read_arguments(const std::vector<std::string>& written) {
+  const auto line = with_lists_spelt_out(written);
   CLI::App app("Superstep: which time integrator is fastest for heat and current in packings of particles?",
                "superstep");
   app.require_subcommand(0, 1);

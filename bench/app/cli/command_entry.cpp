@@ -29,8 +29,8 @@ std::span<const CommandEntry> command_entries() {
 }
 
 OptionEntry integrator_option(const std::string& fallback) {
-  return {"--integrator", &Arguments::integrators, "integrator, may be repeated; default: " + fallback,
-          "SPEC"};
+  return {"--integrator", &Arguments::integrators,
+          "one or several integrators, as in A B; default: " + fallback, "SPEC"};
 }
 
 OptionEntry time_limit_option(const std::string& fallback) {

@@ -17,9 +17,8 @@ namespace {
 
 using dynamics::HistoryRow;
 using dynamics::Motion;
-using dynamics::SinteringCase;
 
-const std::string& phase_name(const SinteringCase& one, const HistoryRow& row) {
+const std::string& phase_name(const Press& one, const HistoryRow& row) {
   return one.model.schedule.phases()[static_cast<std::size_t>(row.phase)].name;
 }
 
@@ -37,7 +36,7 @@ MotionRecord::Parts parts_of(const dynamics::PartTimes& times, double total) {
   return {times.contacts, times.forces, times.heat, times.current, std::max(total - known, 0.0)};
 }
 
-MotionRecord motion_of(const SinteringCase& one, const Motion& motion, const SinteringResult& result) {
+MotionRecord motion_of(const Press& one, const Motion& motion, const SinteringResult& result) {
   const Vec3 &low = one.model.box.min, &high = one.model.box.max;
   MotionRecord record{.box_min = {low.x, low.y, low.z},
                       .box_max = {high.x, high.y, high.z},
@@ -60,8 +59,7 @@ MotionRecord motion_of(const SinteringCase& one, const Motion& motion, const Sin
   return record;
 }
 
-RunRecord record_of(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
-                    int threads) {
+RunRecord record_of(const Press& one, const Motion& motion, const SinteringResult& result, int threads) {
   const std::string& spec = one.stepping.thermal_integrator;
   const bool plain = one.stepping.scheme == dynamics::SteppingSettings::Scheme::plain;
   const auto* bridge = motion.bridge();
@@ -103,7 +101,7 @@ RunRecord record_of(const SinteringCase& one, const Motion& motion, const Sinter
 
 }  // namespace
 
-std::string history_csv(const SinteringCase& one, std::span<const HistoryRow> history) {
+std::string history_csv(const Press& one, std::span<const HistoryRow> history) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
   fmt::format_to(
@@ -117,7 +115,7 @@ std::string history_csv(const SinteringCase& one, std::span<const HistoryRow> hi
   return fmt::to_string(out);
 }
 
-std::string particles_csv(const SinteringCase& one, const dynamics::State& state) {
+std::string particles_csv(const Press& one, const dynamics::State& state) {
   const auto model = one.model.electric.model;
   const bool electric = model != dynamics::CurrentModel::none;
   fmt::memory_buffer out;
@@ -139,12 +137,12 @@ std::string particles_csv(const SinteringCase& one, const dynamics::State& state
   return fmt::to_string(out);
 }
 
-std::string sintering_json(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
+std::string sintering_json(const Press& one, const Motion& motion, const SinteringResult& result,
                            int threads) {
   return run_json(record_of(one, motion, result, threads));
 }
 
-std::string sintering_summary(const SinteringCase& one, const Motion& motion, const SinteringResult& result,
+std::string sintering_summary(const Press& one, const Motion& motion, const SinteringResult& result,
                               const std::string& folder) {
   std::string text;
   const std::string scheme =
@@ -158,8 +156,9 @@ std::string sintering_summary(const SinteringCase& one, const Motion& motion, co
     text += fmt::format("{:<12} {:>8.4g} {:>9.4f} {:>8.1f} {:>8.1f} {:>11.4g} {:>7} {:>9}\n",
                         phase_name(one, row), row.time, row.volume_fraction, row.mean_temperature,
                         row.max_temperature, row.wall_force, row.bonds, row.contacts);
-  text += fmt::format("{} steps, {} restarts, {} iterations, {:.3g} s CPU:", motion.history().size() - 1,
-                      motion.rejected(), motion.iterations(), result.cpu_stepping);
+  text +=
+      fmt::format("{} steps ({} attempts failed and were made again, shorter), {} iterations, {:.3g} s CPU:",
+                  motion.history().size() - 1, motion.rejected(), motion.iterations(), result.cpu_stepping);
   const auto parts = parts_of(motion.network().times, result.cpu_stepping);
   const auto percent = [&](double seconds) {
     return result.cpu_stepping > 0 ? 100 * seconds / result.cpu_stepping : 0.0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace superstep {
@@ -29,6 +30,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// "euler" in "forward-euler"; a few letters stand in too many words to mean something.
+bool one_holds_the_other(std::string_view a, std::string_view b) {
+  constexpr std::size_t fewest = 4;
+  if (a.size() > b.size()) std::swap(a, b);
+  return a.size() >= fewest && b.find(a) != std::string_view::npos;
+}
+
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
@@ -37,6 +45,16 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   std::string best;
   std::size_t best_distance = 1 + std::max<std::size_t>(1, name.size() / 3);
   for (const auto& candidate : candidates) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  if (!best.empty()) return best;
+  best_distance = longest;
+  for (const auto& candidate : candidates) {
+    if (!one_holds_the_other(name, candidate)) continue;
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < best_distance) {
       best_distance = distance;

@@ -7,7 +7,8 @@
 
 namespace superstep {
 
-/// Closest candidate by edit distance, or empty when none is near enough to be a slip of the pen.
+/// Closest candidate by edit distance; where none is near enough to be a slip of the pen, the closest of
+/// those that hold the name or that it holds, as in "benchmark" for "bench"; else empty.
 [[nodiscard]] std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 /// "; did you mean 'x'?" or, without a near candidate, "; valid are: a, b, c".

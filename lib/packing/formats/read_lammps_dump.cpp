@@ -25,6 +25,17 @@ std::size_t last_frame(const PackingFile& file) {
   return start;
 }
 
+/// "the last of 3 frames, time step 2000"; empty where there is one.
+///   lines  from the beginning of the last frame on
+std::string frame_name(const PackingFile& file, LineReader lines) {
+  std::size_t frames = 0;
+  for (std::size_t at = 0; (at = file.text.find(frame_start, at)) != std::string_view::npos; ++at) ++frames;
+  if (frames < 2) return {};
+  lines.next();
+  const bool dated = lines.next();
+  return fmt::format("the last of {} frames, time step {}", frames, dated ? trimmed(lines.line()) : "?");
+}
+
 /// Places of the columns that a packing needs.
 struct Columns {
   std::optional<std::size_t> id, type;
@@ -105,7 +116,9 @@ Packing read_lammps_dump(const PackingFile& file) {
                     "edited: remove that frame or write the dump again",
                     file.path, row.line(), builder.size(), *expected));
   builder.drop_single_material();
-  return builder.finish();
+  Packing packing = builder.finish();
+  packing.frame = frame_name(file, LineReader(file.text.substr(start)));
+  return packing;
 }
 
 }  // namespace superstep

@@ -14,6 +14,8 @@ constexpr std::size_t header_size = 8, row_size = 14, radius_column = 6, species
 struct Frame {
   LineReader rows;  // before the first of them
   std::int64_t count = 0;
+  std::size_t number = 0;  // counted from 1
+  double time = 0;         // as the header gives it
 };
 
 Frame last_frame(const PackingFile& file) {
@@ -24,7 +26,7 @@ Frame last_frame(const PackingFile& file) {
     row.split(lines.line(), lines.number());
     if (row.size() == 0) continue;
     row.require_size(header_size, "N t xmin ymin zmin xmax ymax zmax, the header of a frame");
-    last = {lines, row.integer(0, "N")};
+    last = {lines, row.integer(0, "N"), last.number + 1, row.number(1, "t")};
     for (std::int64_t k = 0; k < last.count; ++k)
       if (!lines.next())
         throw InputError(
@@ -38,7 +40,7 @@ Frame last_frame(const PackingFile& file) {
 }  // namespace
 
 Packing read_mercury(const PackingFile& file) {
-  auto [lines, count] = last_frame(file);
+  auto [lines, count, frames, time] = last_frame(file);
   TextRow row(file.path);
   PackingBuilder builder(file.path, file.unit);
   for (std::int64_t k = 0; k < count; ++k) {
@@ -50,7 +52,9 @@ Packing read_mercury(const PackingFile& file) {
     builder.set_material(row[species_column]);
   }
   builder.drop_single_material();
-  return builder.finish();
+  Packing packing = builder.finish();
+  if (frames > 1) packing.frame = fmt::format("the last of {} frames, t = {}", frames, time);
+  return packing;
 }
 
 }  // namespace superstep

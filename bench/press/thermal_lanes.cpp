@@ -1,20 +1,18 @@
-#include "bench/output/thermal_lanes.hpp"
+#include "bench/press/thermal_lanes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/stopwatch.hpp"
-#include "core/text/options.hpp"
+#include "integrators/press/motion.hpp"
 
 namespace superstep {
 namespace {
 
 using dynamics::Motion;
 using dynamics::MovingNetwork;
-using dynamics::SinteringCase;
 using dynamics::ThermalBridge;
 
 /// One method with temperatures of its own.
@@ -83,21 +81,13 @@ Timing timing_of(const Lane& lane, bool with_building) {
   return summarize(std::move(seconds));
 }
 
-BenchRow row_of(const SinteringCase& one, const Lane& lane, const HarnessOptions& options) {
-  const Spec spec = parse_spec(lane.spec);
-  BenchRow row;
-  row.case_name = one.name;
-  row.integrator = spec.name;
-  row.params = spec.parameters();
+BenchRow row_of(const BenchCase& one, const Lane& lane, const HarnessOptions& options) {
+  BenchRow row = begin_row(one, lane.spec, options.threads);
   row.status = status_name(lane.outcome.status);
   row.reason = lane.outcome.reason;
-  row.spec = lane.spec;
-  row.nodes = one.particles.size();
-  row.t_end = one.t_end;
   row.repetitions = options.repetitions;
-  row.threads = options.threads;
   row.errors = lane.errors;
-  row.reference = options.reference == "none" ? "" : options.reference;
+  if (one.reference) row.reference = one.reference->spec;
   if (!lane.outcome.ok()) return row;
   row.cpu_stepping = timing_of(lane, false);
   row.cpu_total = timing_of(lane, true);
@@ -109,33 +99,18 @@ BenchRow row_of(const SinteringCase& one, const Lane& lane, const HarnessOptions
   return row;
 }
 
-void compare_with_baseline(BenchCase& result) {
-  const auto baseline = std::find_if(result.rows.begin(), result.rows.end(),
-                                     [&](const BenchRow& row) { return row.spec == result.baseline; });
-  if (baseline == result.rows.end() || !baseline->ok()) return;
-  const double stepping = baseline->cpu_stepping->median, total = baseline->cpu_total->median;
-  for (auto& row : result.rows) {
-    if (row.ok() && row.cpu_stepping->median > 0) row.speedup_stepping = stepping / row.cpu_stepping->median;
-    if (row.ok() && row.cpu_total->median > 0) row.speedup_total = total / row.cpu_total->median;
-  }
-}
-
-std::vector<std::string> specs_of(const SinteringCase& one, const HarnessOptions& options) {
-  std::vector<std::string> specs = options.integrators.empty() ? one.integrators : options.integrators;
-  if (std::find(specs.begin(), specs.end(), one.baseline) == specs.end()) specs.push_back(one.baseline);
-  return specs;
-}
-
 }  // namespace
 
-BenchCase bench_thermal_lanes(const SinteringCase& one, const HarnessOptions& options, Progress& progress) {
-  const bool referenced = options.reference != "none";
+BenchCase bench_thermal_lanes(const Press& one, double cpu_setup, const HarnessOptions& options,
+                              Progress& progress) {
+  const std::string reference = options.reference.empty() ? reference_of_lanes : options.reference;
+  const bool referenced = reference != "none";
   const auto repetitions = static_cast<std::size_t>(options.repetitions);
   std::vector<Lane> lanes;
-  for (const auto& spec : specs_of(one, options))
+  for (const auto& spec : contenders(one.bench, options.integrators))
     lanes.emplace_back(spec, one.state.temperature, options.repetitions);
   std::vector<Lane> exact;
-  if (referenced) exact.emplace_back(options.reference, one.state.temperature, 1);
+  if (referenced) exact.emplace_back(reference, one.state.temperature, 1);
 
   Motion motion(one.model, one.particles, one.stepping);
   motion.stop = options.stop;
@@ -163,28 +138,21 @@ BenchCase bench_thermal_lanes(const SinteringCase& one, const HarnessOptions& op
   }
   progress.end();
 
-  BenchCase result;
-  result.name = one.name;
-  result.title = one.title;
-  result.source = one.source;
-  result.baseline = one.baseline;
-  result.nodes = one.particles.size();
+  BenchCase result = begin_case(one);
+  result.cpu_setup = cpu_setup;
+  result.nodes = result.unknowns = one.particles.size();
   result.contacts = contacts;
-  result.unknowns = one.particles.size();
-  result.t_end = one.t_end;
-  result.output_times = one.output_times;
   result.unit.push_back('K');  // assigning a literal makes g++ 12 warn about overlapping memory
-  for (auto& lane : lanes) {
-    if (!outcome.ok() && lane.outcome.ok()) lane.outcome = outcome;
-    result.rows.push_back(row_of(one, lane, options));
-    result.rows.back().contacts = contacts;
-  }
-  compare_with_baseline(result);
   if (referenced) {
-    result.reference = ReferenceFacts{options.reference, false, exact.front().bridges.front().cpu_stepping()};
+    result.reference = ReferenceFacts{reference, false, exact.front().bridges.front().cpu_stepping()};
     if (!exact.front().outcome.ok())
       result.warnings.push_back("the reference failed: " + exact.front().outcome.reason);
   }
+  for (auto& lane : lanes) {
+    if (!outcome.ok() && lane.outcome.ok()) lane.outcome = outcome;
+    result.rows.push_back(row_of(result, lane, options));
+  }
+  compare_with_baseline(result);
   result.warnings.push_back(
       fmt::format("every method starts anew after each of the {} contact updates; its preparation is part of "
                   "its stepping",

@@ -8,16 +8,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "bench/app/commands.hpp"
+#include "bench/app/press/press_commands.hpp"
 #include "dynamics/laws/damping.hpp"
 #include "dynamics/volume_fraction.hpp"
-#include "integrators/press/sintering_case.hpp"
 #include "results/text/json_object.hpp"
 
 namespace superstep {
 namespace {
-
-using dynamics::SinteringCase;
 
 struct PressFacts {
   double volume = 0, mass = 0;  ///< m3, kg
@@ -29,7 +26,7 @@ struct PressFacts {
   double largest_current = 0;   ///< A
 };
 
-PressFacts facts_of(const SinteringCase& one) {
+PressFacts facts_of(const Press& one) {
   PressFacts facts;
   const auto& particles = one.particles;
   const auto& model = one.model;
@@ -74,11 +71,11 @@ std::string electrodes_text(const dynamics::Phase& phase, const char* unit) {
   return text.empty() ? "off" : text;
 }
 
-const char* unit_of(const SinteringCase& one) {
+const char* unit_of(const Press& one) {
   return one.model.electric.model == dynamics::CurrentModel::potential ? "V" : "A";
 }
 
-std::string info_text(const SinteringCase& one, const PressFacts& facts) {
+std::string info_text(const Press& one, const PressFacts& facts) {
   std::string text = fmt::format("{}\n  {}\n", one.name, one.title);
   const auto line = [&](const char* what, const std::string& value) {
     text += fmt::format("  {:<34} {}\n", what, value);
@@ -104,7 +101,7 @@ std::string info_text(const SinteringCase& one, const PressFacts& facts) {
   return text;
 }
 
-std::string info_json(const SinteringCase& one, const PressFacts& facts) {
+std::string info_json(const Press& one, const PressFacts& facts) {
   using Json = nlohmann::ordered_json;
   Json phases = Json::array();
   for (const auto& phase : one.model.schedule.phases())
@@ -137,10 +134,9 @@ std::string info_json(const SinteringCase& one, const PressFacts& facts) {
 
 }  // namespace
 
-int info_sintering(const InfoCommand& command) {
-  const SinteringCase one = dynamics::load_sintering_case(command.case_file);
-  const PressFacts facts = facts_of(one);
-  print_data(command.common.json ? info_json(one, facts) : info_text(one, facts));
+int info_press(const InfoCommand& command, const Press& press) {
+  const PressFacts facts = facts_of(press);
+  print_data(command.common.json ? info_json(press, facts) : info_text(press, facts));
   return 0;
 }
 

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "bench/app/commands.hpp"
+#include "bench/app/press/press_commands.hpp"
 #include "bench/app/press/sintering_files.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/host/progress.hpp"
@@ -30,10 +30,9 @@ namespace {
 constexpr double first_look = 10;  // s after which a forecast is worth something
 
 using dynamics::Motion;
-using dynamics::SinteringCase;
 
 /// The case with what the command line changes about it. "staggered" = the phi rule inside the iteration.
-SinteringCase with_integrator(SinteringCase one, const RunCommand& command, const std::string& spec) {
+Press with_integrator(Press one, const RunCommand& command, const std::string& spec) {
   auto& stepping = one.stepping;
   if (spec == "staggered")
     stepping.thermal_integrator.clear();
@@ -47,13 +46,8 @@ SinteringCase with_integrator(SinteringCase one, const RunCommand& command, cons
   return one;
 }
 
-void check(const std::vector<std::string>& specs) {
-  for (const auto& spec : specs)
-    if (spec != "staggered") (void)make_integrator(spec);
-}
-
 /// Starts the motion, or goes on from a checkpoint of the same particles.
-void begin(const SinteringCase& one, const RunCommand& command, Motion& motion) {
+void begin(const Press& one, const RunCommand& command, Motion& motion) {
   if (command.restart.empty()) return motion.start(one.state);
   dynamics::Checkpoint stored = dynamics::read_checkpoint(command.restart);
   const auto& here = one.particles;
@@ -74,7 +68,7 @@ class Checkpoints {
   Checkpoints(std::string file, std::optional<double> interval)
       : file_(std::move(file)), interval_(interval) {}
 
-  void step_done(const SinteringCase& one, const Motion& motion) {
+  void step_done(const Press& one, const Motion& motion) {
     if (!interval_) return;
     const double due = std::floor(motion.state().time / *interval_);
     if (due > written_) write(one, motion);
@@ -83,7 +77,7 @@ class Checkpoints {
   void started_at(double t) {
     if (interval_) written_ = std::floor(t / *interval_);
   }
-  void write(const SinteringCase& one, const Motion& motion) const {
+  void write(const Press& one, const Motion& motion) const {
     write_file_atomically(file_, dynamics::checkpoint_image(
                                      {one.particles, motion.state(), motion.next_step(), motion.history(),
                                       dynamics::model_description(one.model, motion.state().time)}));
@@ -104,7 +98,7 @@ std::string snapshot_name(std::size_t number) {
 class Snapshots {
  public:
   /// A restart goes on with the series that it finds, from the time `begin` [s].
-  Snapshots(const SinteringCase& one, const RunCommand& command, const std::string& folder, double begin)
+  Snapshots(const Press& one, const RunCommand& command, const std::string& folder, double begin)
       : one_(one), folder_(folder) {
     begin_run_files(folder);
     if (!command.vtk) {
@@ -138,7 +132,7 @@ class Snapshots {
   }
 
  private:
-  const SinteringCase& one_;
+  const Press& one_;
   std::string folder_;
   std::optional<VtkFrames> vtk_;
 };
@@ -155,7 +149,7 @@ void warn_without_path(const Motion& motion, const dynamics::Model& model,
       phase.name, phase.end));
 }
 
-SinteringResult integrate(const SinteringCase& one, const RunCommand& command, const std::string& folder,
+SinteringResult integrate(const Press& one, const RunCommand& command, const std::string& folder,
                           Motion& motion, Progress& progress) {
   SinteringResult result;
   Checkpoints checkpoints(folder + "/checkpoint.bin", command.checkpoint);
@@ -208,8 +202,7 @@ int exit_code_of(const Outcome& outcome) {
 }
 
 /// One run into one folder.
-int run_into(const SinteringCase& one, const RunCommand& command, double cpu_setup,
-             const std::string& folder) {
+int run_into(const Press& one, const RunCommand& command, double cpu_setup, const std::string& folder) {
   const OutputFolder locked(folder);
   const bool quiet = command.common.quiet;
   Progress progress(!quiet && stderr_is_terminal());
@@ -236,23 +229,24 @@ int run_into(const SinteringCase& one, const RunCommand& command, double cpu_set
 
 }  // namespace
 
-int run_sintering(const RunCommand& command) {
+void check_specs_of_press(const std::vector<std::string>& specs) {
+  for (const auto& spec : specs)
+    if (spec != "staggered") (void)make_integrator(spec);
+}
+
+int run_press(const RunCommand& command, const Press& press, double cpu_setup) {
   if (command.limits.sweeps > 0)
     throw UsageError(
         "run: --max-work counts sweeps over a network that stays as it is; particles that move "
         "have none, give --time-limit");
-  check(command.integrators);
-  const double begin_setup = process_cpu_seconds();
-  const SinteringCase base = dynamics::load_sintering_case(command.case_file);
-  const double cpu_setup = process_cpu_seconds() - begin_setup;
   catch_interrupts();
-  const std::string out = command.out.empty() ? default_output_folder(base.name) : command.out;
+  const std::string out = command.out.empty() ? default_output_folder(press.name) : command.out;
   const auto specs = command.integrators.empty() ? std::vector<std::string>{""} : command.integrators;
   int code = 0;
   for (const auto& spec : specs) {
     if (stop_flag()) break;
     const std::string folder = specs.size() == 1 ? out : out + "/" + folder_name(spec);
-    code = std::max(code, run_into(with_integrator(base, command, spec), command, cpu_setup, folder));
+    code = std::max(code, run_into(with_integrator(press, command, spec), command, cpu_setup, folder));
   }
   return stop_flag() ? interrupted_exit_code : code;
 }

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "case/press/press.hpp"
+#include "case/press/read_model.hpp"
+#include "case/press/read_values.hpp"
+#include "core/error.hpp"
+
+namespace superstep {
+namespace {
+
+using namespace dynamics;
+
+/// Numbers whose range has two ends.
+void require_ranges(TomlTable& table) {
+  struct Range {
+    const char* key;
+    bool (*holds)(double);
+    const char* rule;
+  };
+  for (const auto& [key, holds, rule] :
+       {Range{"phi", [](double x) { return x >= 0 && x <= 1; }, "it must lie between 0 and 1"},
+        Range{"growth", [](double x) { return x > 1; }, "it must be > 1"},
+        Range{"shrink", [](double x) { return x > 0 && x < 0.9; }, "it must be > 0 and < 0.9"},
+        Range{"fraction", [](double x) { return x > 0 && x <= 2; }, "it must be > 0 and at most 2"}})
+    if (const auto value = table.find(key); value && !holds(value->number())) value->reject(rule);
+}
+
+void read_stepping(TomlTable dynamics, Press& press) {
+  SteppingSettings& settings = press.stepping;
+  if (const auto spec = dynamics.find("thermal_integrator")) {
+    settings.thermal_integrator = spec->string() == "staggered" ? "" : spec->string();
+    if (!settings.thermal_integrator.empty()) press.stated_specs.push_back({spec->string(), spec->where()});
+  }
+  if (!dynamics.find("stepping")) return;
+  TomlTable table = *dynamics.table("stepping");
+  require_ranges(table);
+  settings.scheme = word_from(table, "scheme", {"staggered", "plain"}, "staggered") == "plain"
+                        ? SteppingSettings::Scheme::plain
+                        : SteppingSettings::Scheme::staggered;
+  settings.phi = number_from(table, "phi", 0, settings.phi, "-");
+  if (const auto iterations = table.find("iterations")) {
+    if (iterations->integer() < 2 || iterations->integer() > 1000)
+      iterations->reject("it must lie between 2 and 1000");
+    settings.iterations = static_cast<int>(iterations->integer());
+  }
+  settings.tolerance_position = positive_or(table, "tolerance_position", settings.tolerance_position, "-");
+  settings.tolerance_temperature =
+      positive_or(table, "tolerance_temperature", settings.tolerance_temperature, "-");
+  settings.power = positive_or(table, "power", settings.power, "-");
+  settings.first_step = positive_or(table, "first_step", settings.first_step, "s");
+  settings.largest_step = positive_or(table, "largest_step", settings.largest_step, "s");
+  settings.smallest_step = positive_or(table, "smallest_step", settings.smallest_step, "s");
+  settings.bounds.growth = positive_or(table, "growth", settings.bounds.growth, "-");
+  settings.bounds.shrink = positive_or(table, "shrink", settings.bounds.shrink, "-");
+  settings.fraction = positive_or(table, "fraction", settings.fraction, "-");
+  try {
+    check_settings(settings);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", table.where(), error.what()));
+  }
+}
+
+void read_motion_window(TomlTable& root, Press& press) {
+  auto bench = root.table("bench");
+  const auto window = bench ? bench->find("motion_window") : std::nullopt;
+  if (!window) return;
+  const auto ends = window->numbers();
+  if (ends.size() != 2 || !(ends[0] >= 0 && ends[0] < ends[1] && ends[1] <= press.t_end))
+    window->reject(
+        fmt::format("it must be [from, to] in s with 0 <= from < to <= t_end = {} s", press.t_end));
+  press.motion_window = {ends[0], ends[1]};
+}
+
+}  // namespace
+
+Press load_press(const std::string& path) {
+  return load_press(TomlTable::parse_file(path));
+}
+
+Press load_press(TomlTable root) {
+  for (const char* key :
+       {"title", "source", "t_end", "output_times", "bench", "material", "thermal", "electric", "dynamics"})
+    (void)root.find(key);
+  root.finish();  // a misspelt table is said first: what follows would only miss it
+  Press press;
+  read_head(root, press);
+  read_motion_window(root, press);
+  ModelInput input = read_model(root, press.t_end);
+  read_stepping(*root.table("dynamics"), press);
+  root.finish();
+  press.model = std::move(input.model);
+  press.particles = std::move(input.particles);
+  press.state = std::move(input.state);
+  return press;
+}
+
+}  // namespace superstep
