@@ -44,16 +44,14 @@ void solve_shifted(std::span<const double> alpha, std::span<const double> beta, 
   }
 }
 
-}  // namespace
-
-std::vector<TridiagonalResponse> tridiagonal_responses(std::span<const double> alpha,
-                                                       std::span<const double> beta,
-                                                       std::span<const double> times) {
+/// Calls add(first, last, z, weight(t), (zI + T)^-1 e_1) for every node z of a contour that serves times
+/// [first, last) of `times`, ascending and > 0: the sum of the real parts of weight(t) (zI + T)^-1 e_1 F(z)
+/// is then the inverse Laplace transform of F(z) (zI + T)^-1 e_1 at t.
+template <class Add>
+void over_contours(std::span<const double> alpha, std::span<const double> beta, std::span<const double> times,
+                   const Add& add) {
   constexpr double widest = 8;  // of the times that share a contour
   const std::size_t m = alpha.size();
-  std::vector<TridiagonalResponse> out(times.size(),
-                                       {std::vector<double>(m, 0.0), std::vector<double>(m, 0.0)});
-  if (m == 0) return out;
   std::vector<Complex> pivot(m), solution(m);
   for (std::size_t first = 0, last = 0; first < times.size(); first = last) {
     while (last < times.size() && times[last] <= widest * times[first]) ++last;
@@ -62,18 +60,54 @@ std::vector<TridiagonalResponse> tridiagonal_responses(std::span<const double> a
       const double x = k * Hyperbola::step, s = std::sin(Hyperbola::angle), c = std::cos(Hyperbola::angle);
       const Complex z(path.size * (1 - s * std::cosh(x)), path.size * c * std::sinh(x));
       const Complex slope(path.size * c * std::cosh(x), path.size * s * std::sinh(x));  // dz/dx / i
-      solve_shifted(alpha, beta, z, pivot, solution);
       const double half = k == 0 ? 0.5 : 1;  // both halves of the path give the same real part
-      for (std::size_t i = first; i < last; ++i) {
-        const Complex value = half * Hyperbola::step / std::numbers::pi * slope * std::exp(z * times[i]) / z;
-        const Complex integral = value / z;
-        for (std::size_t j = 0; j < m; ++j) {
-          out[i].value[j] += value.real() * solution[j].real() - value.imag() * solution[j].imag();
-          out[i].integral[j] += integral.real() * solution[j].real() - integral.imag() * solution[j].imag();
-        }
-      }
+      solve_shifted(alpha, beta, z, pivot, solution);
+      add(first, last, z, half * Hyperbola::step / std::numbers::pi * slope, solution);
     }
   }
+}
+
+void add_real_part(Complex factor, const std::vector<Complex>& solution, std::vector<double>& out) {
+  for (std::size_t j = 0; j < out.size(); ++j)
+    out[j] += factor.real() * solution[j].real() - factor.imag() * solution[j].imag();
+}
+
+}  // namespace
+
+std::vector<TridiagonalResponse> tridiagonal_responses(std::span<const double> alpha,
+                                                       std::span<const double> beta,
+                                                       std::span<const double> times) {
+  const std::size_t m = alpha.size();
+  std::vector<TridiagonalResponse> out(times.size(),
+                                       {std::vector<double>(m, 0.0), std::vector<double>(m, 0.0)});
+  if (m == 0) return out;
+  over_contours(alpha, beta, times,
+                [&](std::size_t first, std::size_t last, Complex z, Complex weight, const auto& solution) {
+                  for (std::size_t i = first; i < last; ++i) {
+                    const Complex value = weight * std::exp(z * times[i]) / z;
+                    add_real_part(value, solution, out[i].value);
+                    add_real_part(value / z, solution, out[i].integral);
+                  }
+                });
+  return out;
+}
+
+TridiagonalResponse tridiagonal_response(std::span<const double> alpha, std::span<const double> beta,
+                                         std::span<const TridiagonalInput> inputs) {
+  const std::size_t m = alpha.size();
+  TridiagonalResponse out{std::vector<double>(m, 0.0), std::vector<double>(m, 0.0)};
+  std::vector<double> times;
+  for (const auto& input : inputs) times.push_back(input.since);
+  if (m == 0) return out;
+  over_contours(alpha, beta, times,
+                [&](std::size_t first, std::size_t last, Complex z, Complex weight, const auto& solution) {
+                  Complex sum{};
+                  for (std::size_t i = first; i < last; ++i)
+                    sum += std::exp(z * times[i]) * (inputs[i].jump + inputs[i].kink / z);
+                  const Complex value = weight * sum / z;
+                  add_real_part(value, solution, out.value);
+                  add_real_part(value / z, solution, out.integral);
+                });
   return out;
 }
 

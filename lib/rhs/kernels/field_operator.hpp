@@ -61,6 +61,8 @@ class FieldOperator {
   /// Adds a breakpoint for every knot of a table that acts on the field.
   ///   field  its number among those of the right-hand side
   void add_breakpoints(std::size_t field, std::vector<Breakpoint>& points) const;
+  /// See Rhs::input_shapes; of a field that does not radiate.
+  [[nodiscard]] std::vector<InputShape> input_shapes() const;
   /// See Rhs::enter and Rhs::leave.
   void enter(double begin, double end) noexcept;
   void leave() noexcept;
