@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/exponential/krylov_space.hpp"
+#include "integrators/detail/krylov/krylov_space.hpp"
 #include "integrators/detail/tolerance.hpp"
 #include "integrators/registry.hpp"
 

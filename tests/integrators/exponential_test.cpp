@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "integrators/detail/exponential/chebyshev_exponential.hpp"
-#include "integrators/detail/exponential/residual_bound.hpp"
-#include "integrators/detail/exponential/tridiagonal_response.hpp"
+#include "integrators/detail/krylov/residual_bound.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
 #include "integrators/registry.hpp"
 #include "support/problem.hpp"
 

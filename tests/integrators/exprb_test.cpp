@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "integrators/detail/exponential/krylov_space.hpp"
+#include "integrators/detail/krylov/krylov_space.hpp"
 #include "integrators/registry.hpp"
 #include "support/problem.hpp"
 #include "support/thermoelectric.hpp"

@@ -10,8 +10,8 @@
 /// superposition is our own.
 
 #include "integrators/detail/exponential/instant_batch.hpp"
-#include "integrators/detail/exponential/lanczos_space.hpp"
-#include "integrators/detail/exponential/tridiagonal_response.hpp"
+#include "integrators/detail/krylov/lanczos_space.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
 
 namespace superstep {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/exponential/tridiagonal_response.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
 #include "integrators/detail/run_guard.hpp"
 
 namespace superstep {

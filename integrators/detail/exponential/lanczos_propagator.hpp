@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "integrators/detail/exponential/instant_batch.hpp"
-#include "integrators/detail/exponential/lanczos_space.hpp"
+#include "integrators/detail/krylov/lanczos_space.hpp"
 
 namespace superstep {
 

@@ -8,8 +8,8 @@
 
 #include <limits>
 
-#include "integrators/detail/exponential/phi_contour.hpp"
 #include "integrators/detail/exponential/scaled_jacobian.hpp"
+#include "integrators/detail/krylov/phi_contour.hpp"
 
 namespace superstep {
 

@@ -1,4 +1,4 @@
-#include "integrators/detail/exponential/lanczos_space.hpp"
+#include "integrators/detail/krylov/lanczos_space.hpp"
 
 #include <algorithm>
 #include <cmath>

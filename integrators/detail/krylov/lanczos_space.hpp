@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "integrators/detail/exponential/residual_bound.hpp"
-#include "integrators/detail/exponential/vector_store.hpp"
+#include "integrators/detail/krylov/residual_bound.hpp"
+#include "integrators/detail/krylov/vector_store.hpp"
 #include "rhs/rhs.hpp"
 
 namespace superstep {

@@ -1,4 +1,4 @@
-#include "integrators/detail/exponential/phi_contour.hpp"
+#include "integrators/detail/krylov/phi_contour.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "integrators/detail/exponential/krylov_space.hpp"
+#include "integrators/detail/krylov/krylov_space.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "integrators/detail/exponential/tridiagonal_response.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
 
 #include <cmath>
 #include <complex>
