@@ -45,7 +45,7 @@ class PhiContour {
   [[nodiscard]] double entry(int k, std::size_t j) const noexcept;
 
  private:
-  static constexpr std::size_t pairs = 12;  // of conjugate nodes: 3.89^-24 is below rounding
+  static constexpr std::size_t pairs = 18;  // of conjugate nodes
   using Lanes = std::array<double, pairs>;
   struct Complex {
     Lanes re, im;
