@@ -136,6 +136,7 @@ void Integrator::begin_run_of(Rhs& rhs) {
   next_breakpoint_ = static_cast<std::size_t>(
       std::upper_bound(points.begin(), points.end(), t_, [](double t, const auto& p) { return t < p.t; }) -
       points.begin());
+  if (propagator_ && propagator_->takes_breakpoints()) next_breakpoint_ = points.size();
   enter_piece(false);
 }
 
@@ -148,7 +149,7 @@ double Integrator::piece_end() const noexcept {
 /// Makes f what it is on the present piece.
 void Integrator::take_piece_of_inputs() {
   const auto& points = rhs_->facts().breakpoints;
-  if (points.empty()) return;
+  if (points.empty() || (propagator_ && propagator_->takes_breakpoints())) return;
   const double beyond_all = piece_begin_ + std::max(1.0, std::abs(piece_begin_));
   rhs_->enter(piece_begin_, next_breakpoint_ < points.size() ? points[next_breakpoint_].t : beyond_all);
 }

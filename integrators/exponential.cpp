@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "integrators/detail/exponential/chebyshev_propagator.hpp"
+#include "integrators/detail/exponential/driven_lanczos_propagator.hpp"
 #include "integrators/detail/exponential/exponential_costs.hpp"
 #include "integrators/detail/exponential/lanczos_propagator.hpp"
 #include "integrators/detail/exponential/one_way_exponential.hpp"
@@ -67,7 +68,9 @@ class Exponential final : public Method {
     } else {
       const std::string basis = basis_ == "auto" ? choose(rhs, task) : basis_;
       const double part = rest ? part_for_rest : 1;
-      if (basis == "lanczos")
+      if (basis == "lanczos" && !rhs.traits().autonomous)
+        method_ = std::make_unique<DrivenLanczosPropagator>(rtol_, memory_, part);
+      else if (basis == "lanczos")
         method_ = std::make_unique<LanczosPropagator>(rtol_, memory_, part);
       else if (basis == "shift-invert")
         method_ = std::make_unique<ShiftInvertPropagator>(rtol_, part);

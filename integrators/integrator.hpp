@@ -172,6 +172,10 @@ class Propagator : public Method {
  public:
   [[nodiscard]] Propagator* propagator() final { return this; }
 
+  /// True when the method takes inputs with all their breakpoints: one stretch then lasts to the end of the
+  /// run, and f is the whole function of time.
+  [[nodiscard]] virtual bool takes_breakpoints() const noexcept { return false; }
+
   /// An instant inside a stretch at which something is wanted.
   struct Instant {
     double t = 0;

@@ -11,7 +11,7 @@
 
 #include "core/text/options.hpp"
 #include "integrators/driver.hpp"
-#include "integrators/stability_model.hpp"
+#include "integrators/schemes/stability_model.hpp"
 
 namespace superstep {
 

@@ -25,11 +25,20 @@ check_format() {
   git -C "$root" ls-files '*.hpp' '*.cpp' | (cd "$root" && xargs clang-format --dry-run --Werror)
 }
 
+# Scripts, where the tool is.
+check_scripts() {
+  if ! command -v shellcheck >/dev/null; then return; fi
+  (cd "$root" && git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck -x)
+}
+
 preset=release
 if [[ ${SUPERSTEP_SANITIZE:-0} == 1 ]]; then preset=asan; fi
 install_missing_packages
 install_optional_packages "the format of sources is not checked" clang-format
 check_format
+install_optional_packages "scripts are not checked" shellcheck
+check_scripts
+install_optional_packages "results are not held against their JSON Schema" python3-jsonschema
 install_optional_packages "tests of the report in a browser and of VTK files are skipped" chromium fonts-dejavu-core python3-vtk9
 fetch_chart_library
 fetch_node_modules tests/browser "tests of the report in a browser are skipped"

@@ -14,7 +14,7 @@ constexpr auto interval = std::chrono::milliseconds(50);
 }  // namespace
 
 Watchdog::Watchdog(double seconds, const std::atomic<bool>* stop)
-    : limit_(seconds), began_(wall_seconds()), stop_(stop) {
+    : limit_(seconds), began_(wall_seconds()), stop_(stop), flag_(stop && stop->load()) {
   try {
     thread_ = std::jthread([this](const std::stop_token& quit) { watch(quit); });
   } catch (const std::system_error&) {  // no thread to be had: the run goes on unwatched

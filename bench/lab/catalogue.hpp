@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "integrators/stability_model.hpp"
+#include "integrators/schemes/stability_model.hpp"
 
 namespace superstep {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "integrators/stability_model.hpp"
+#include "integrators/schemes/stability_model.hpp"
 
 namespace superstep {
 

@@ -133,7 +133,8 @@ RunRecord record_run(const Scene& scene, const std::string& spec, const RunResul
           .warnings = scene.warnings,
           .skips = skipped_work(scene, run),
           .machine = machine_facts(),
-          .libraries = library_facts()};
+          .libraries = library_facts(),
+          .motion = {}};
 }
 
 void begin_run_files(const std::string& folder) noexcept {

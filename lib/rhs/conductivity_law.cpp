@@ -14,10 +14,6 @@ constexpr double clamped_line = 0.01;  // of kappa_0
 // neither overflow nor underflow.
 constexpr double floor_of_line = 1e-12;
 
-double floor_of(const ConductivityLaw& law) noexcept {
-  return law.outside == ConductivityLaw::Outside::clamp ? clamped_line : floor_of_line;
-}
-
 double logistic(double x) noexcept {
   return 1 / (1 + std::exp(-x));
 }
@@ -30,12 +26,16 @@ std::size_t interval(const std::vector<double>& points, double temperature) noex
 
 }  // namespace
 
+double ConductivityLaw::floor() const noexcept {
+  return outside == Outside::clamp ? clamped_line : floor_of_line;
+}
+
 double ConductivityLaw::at(double temperature) const noexcept {
   switch (kind) {
     case Kind::constant:
       return value;
     case Kind::linear:
-      return value * std::max(floor_of(*this), 1 + coefficient * (temperature - reference));
+      return value * std::max(floor(), 1 + coefficient * (temperature - reference));
     case Kind::table: {
       const auto k = interval(temperatures, temperature);
       if (k == 0) return values.front();
@@ -53,7 +53,7 @@ double ConductivityLaw::slope(double temperature) const noexcept {
     case Kind::constant:
       return 0;
     case Kind::linear:
-      return 1 + coefficient * (temperature - reference) > floor_of(*this) ? value * coefficient : 0;
+      return 1 + coefficient * (temperature - reference) > floor() ? value * coefficient : 0;
     case Kind::table: {
       const auto k = interval(temperatures, temperature);
       if (k == 0 || k == temperatures.size()) return 0;

@@ -42,6 +42,8 @@ struct ConductivityLaw {
   [[nodiscard]] std::string explain(const std::string& what, double temperature) const;
   /// Largest value that the law takes anywhere; infinity for a line.
   [[nodiscard]] double largest() const noexcept;
+  /// Part of kappa_0 at which a line is held beyond its range.
+  [[nodiscard]] double floor() const noexcept;
 };
 
 }  // namespace superstep

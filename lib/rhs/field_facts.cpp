@@ -97,4 +97,24 @@ void FieldOperator::add_breakpoints(std::size_t field, std::vector<Breakpoint>& 
   for (std::size_t k = 0; k < tables.size(); ++k) add_knots(tables[k], weights[k].rms(size()), field, points);
 }
 
+std::vector<InputShape> FieldOperator::input_shapes() const {
+  const auto& tables = inputs_.tables();
+  std::vector<std::vector<double>> rate(tables.size());
+  const auto add = [&](std::int32_t table, std::int32_t row, double amount) {
+    if (table < 0) return;
+    rate[at(table)].resize(size(), 0.0);
+    rate[at(table)][at(row)] += amount;
+  };
+  for (const auto& ghost : ghosts_) add(network_.ghost_table[at(ghost.ghost)], ghost.row, ghost.rate);
+  for (const auto& source : tabled_) add(source.table, source.row, 1 / network_.capacity[at(source.row)]);
+  std::vector<InputShape> shapes;
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    InputShape shape{.table = &tables[k], .rates = {}};
+    for (std::size_t row = 0; row < rate[k].size(); ++row)
+      if (rate[k][row] != 0) shape.rates.push_back({static_cast<std::int32_t>(row), rate[k][row]});
+    if (!shape.rates.empty()) shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
 }  // namespace superstep

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/index.hpp"
+#include "core/parallel.hpp"
 #include "rhs/kernels/sweep.hpp"
 
 namespace superstep {
@@ -24,7 +25,7 @@ void for_ends(const Graph& electric, std::span<const std::int32_t> slot_of_node,
 JouleHeat::JouleHeat(const Graph& electric, std::span<const std::int32_t> slot_of_node, std::size_t rows,
                      std::span<const double> capacity, std::span<const double> conductivity,
                      ConductanceMean mean)
-    : begin_(rows + 1, 0) {
+    : begin_(rows + 1, 0), nodes_(slot_of_node.size()) {
   for_ends(electric, slot_of_node, rows,
            [&](std::size_t row, std::size_t, std::size_t) { ++begin_[row + 1]; });
   for (std::size_t row = 0; row < rows; ++row) {
@@ -51,6 +52,9 @@ JouleHeat::JouleHeat(const Graph& electric, std::span<const std::int32_t> slot_o
   });
   sliced_weight_ = SlicedRows(begin_, slot_);
   sliced_weight_.set_values(begin_, [this](std::size_t, std::size_t k) { return weight_[k]; });
+  sliced_geometry_ = SlicedRows(begin_, slot_);
+  sliced_geometry_.set_values(
+      begin_, [&](std::size_t, std::size_t k) { return geometry_factor(mean) * geometry_[k]; });
 }
 
 void JouleHeat::rate(std::span<const double> potential, std::span<double> out) const noexcept {
@@ -58,19 +62,13 @@ void JouleHeat::rate(std::span<const double> potential, std::span<double> out) c
 }
 
 void JouleHeat::rate(std::span<const double> potential, const SlotConductivity& conductivity,
-                     std::span<double> out) const noexcept {
-  with_mean(conductivity.mean(), [&](auto mean) {
-    const auto sigma = conductivity.value();
-    for (std::size_t row = 0; row < inverse_capacity_.size(); ++row) {
-      double heat = 0;
-      for (auto k = begin_[row]; k < begin_[row + 1]; ++k) {
-        const auto other = at(slot_[at(k)]);
-        const double dv = potential[other] - potential[row];
-        heat += geometry_[at(k)] * mean.heat(sigma[row], sigma[other]) * dv * dv;
-      }
-      out[row] = heat * inverse_capacity_[row];
-    }
+                     std::span<double> out) noexcept {
+  const auto sigma = conductivity.value();
+  const auto mean = conductivity.mean();
+  for_each_entry(nodes_.size(), [&](std::size_t s) {
+    nodes_[s] = {potential[s], node_factor(mean, sigma[s])};
   });
+  varying_heat(mean, sliced_geometry_, nodes_.data(), inverse_capacity_.data(), out.data());
 }
 
 double JouleHeat::largest_rate(double span) const noexcept {

@@ -8,6 +8,7 @@
 #include "network/graph.hpp"
 #include "rhs/kernels/sliced_rows.hpp"
 #include "rhs/kernels/variable_conduction.hpp"
+#include "rhs/kernels/varying_sweep.hpp"
 
 namespace superstep {
 
@@ -25,7 +26,7 @@ class JouleHeat {
   void rate(std::span<const double> potential, std::span<double> out) const noexcept;
   /// The same with the conductivities of the moment.
   void rate(std::span<const double> potential, const SlotConductivity& conductivity,
-            std::span<double> out) const noexcept;
+            std::span<double> out) noexcept;
   /// Largest rate that potentials within `span` [V] can cause anywhere, with the reference conductivities.
   [[nodiscard]] double largest_rate(double span) const noexcept;
 
@@ -41,6 +42,8 @@ class JouleHeat {
   std::vector<double> geometry_;          ///< [branch ends] K/mean [m]
   std::vector<double> weight_;            ///< [branch ends] K times heat share, reference conductivities [S]
   SlicedRows sliced_weight_;              ///< the same for the sweep
+  SlicedRows sliced_geometry_;            ///< of the sweep with the conductivities of the moment
+  std::vector<NodePair> nodes_;           ///< [slots] for it
   std::vector<double> inverse_capacity_;  ///< [rows]
 };
 

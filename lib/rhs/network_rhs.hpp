@@ -26,6 +26,7 @@ class NetworkRhs final : public Rhs {
   }
   [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
 
+  [[nodiscard]] std::vector<InputShape> input_shapes() const override { return field_->input_shapes(); }
   void enter(double begin, double end) override { field_->enter(begin, end); }
   void leave() override { field_->leave(); }
 

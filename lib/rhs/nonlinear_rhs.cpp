@@ -169,15 +169,16 @@ const FieldOperator& NonlinearRhs::field_operator(std::size_t field) const noexc
   return steps_potential() && field == 0 ? *electric_ : *thermal_;
 }
 
-void NonlinearRhs::update_conductances(double t, const double* temperature) {
+void NonlinearRhs::update_conductivities(double t, const double* temperature) {
   if (!thermal_conductivity_ && !electric_conductivity_) return;
   const auto slots = temperature_slots_->on_slots(t, temperature);
-  if (thermal_law_) {
-    thermal_conductivity_->update(slots);
-    thermal_law_->apply(*thermal_conductivity_, *thermal_);
-  }
-  if (!electric_conductivity_) return;
-  electric_conductivity_->update(slots);
+  if (thermal_conductivity_) thermal_conductivity_->update(slots);
+  if (electric_conductivity_) electric_conductivity_->update(slots);
+}
+
+void NonlinearRhs::update_conductances(double t, const double* temperature) {
+  update_conductivities(t, temperature);
+  if (thermal_law_) thermal_law_->apply(*thermal_conductivity_, *thermal_);
   if (electric_law_) electric_law_->apply(*electric_conductivity_, *electric_);
 }
 
@@ -201,10 +202,17 @@ void NonlinearRhs::update_joule(double t, const double* y) {
 void NonlinearRhs::do_stage(double t, const Stage& stage, std::span<double> out) {
   const auto potential_out = out.first(temperature_offset_);
   const auto temperature_out = out.subspan(temperature_offset_);
-  update_conductances(t, stage.y1 + temperature_offset_);
+  const Stage of_temperature = shifted(stage, temperature_offset_);
+  update_conductivities(t, of_temperature.y1);
   update_joule(t, stage.y1);
-  if (steps_potential()) electric_->stage(t, stage, potential_out.data());
-  thermal_->stage(t, shifted(stage, temperature_offset_), temperature_out.data());
+  if (electric_law_)
+    electric_law_->stage(*electric_conductivity_, *electric_, t, stage, potential_out.data());
+  else if (steps_potential())
+    electric_->stage(t, stage, potential_out.data());
+  if (thermal_law_)
+    thermal_law_->stage(*thermal_conductivity_, *thermal_, t, of_temperature, temperature_out.data());
+  else
+    thermal_->stage(t, of_temperature, temperature_out.data());
   if (!joule_) return;
   for_each_entry(temperature_out.size(),
                  [&](std::size_t i) { temperature_out[i] += stage.d * joule_rate_[i]; });

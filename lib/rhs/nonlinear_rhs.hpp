@@ -72,7 +72,8 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] std::span<const double> temperature_of(std::span<const double> y) const noexcept {
     return y.subspan(temperature_offset_);
   }
-  /// Conductances for the temperatures in y.
+  void update_conductivities(double t, const double* temperature);
+  /// Conductances for the temperatures in y, for what needs them as a matrix; stages form their own.
   void update_conductances(double t, const double* temperature);
   /// Joule heating of the rows at (t, y) [K/s], in joule_rate_.
   void update_joule(double t, const double* y);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/reduction.hpp"
+#include "core/time_table.hpp"
 #include "rhs/kernels/sparse_pattern.hpp"
 #include "rhs/rhs_facts.hpp"
 #include "rhs/stage.hpp"
@@ -38,6 +39,16 @@ struct RhsCounters {
   std::uint64_t sweeps = 0;            ///< passes over a field's network, fused or not
   std::uint64_t jacobians = 0;         ///< evaluations of Jacobian values
   std::uint64_t potential_solves = 0;  ///< steady potentials solved for
+};
+
+/// What one table of time does to f: its value times these rates.
+struct InputShape {
+  const TimeTable* table = nullptr;
+  struct Rate {
+    std::int32_t entry = 0;
+    double rate = 0;  ///< K/s or V/s for a unit of the table
+  };
+  std::vector<Rate> rates;  ///< every entry once
 };
 
 class OneWayCoupling;
@@ -104,6 +115,10 @@ class Rhs {
   [[nodiscard]] virtual double inflow(double t, std::span<const double> y) = 0;
   /// Derivative of `inflow` along a change v of a linear right-hand side.
   [[nodiscard]] virtual double linear_inflow(std::span<const double> v) const = 0;
+
+  /// What changes in time about a linear f, one shape a table that acts on it: f(t, y) - f(t', y) is the sum
+  /// of what their tables changed by times their rates. The tables live as long as f.
+  [[nodiscard]] virtual std::vector<InputShape> input_shapes() const { return {}; }
 
   /// Says which law a state goes beyond, at which node, and the way out; nothing where all hold. A trial
   /// state beyond is to be tried again smaller, an accepted one ends the run. Cheap where no law is limited.

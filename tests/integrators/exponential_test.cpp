@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "integrators/detail/exponential/chebyshev_exponential.hpp"
-#include "integrators/detail/exponential/residual_bound.hpp"
-#include "integrators/detail/exponential/tridiagonal_response.hpp"
+#include "integrators/detail/krylov/residual_bound.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
 #include "integrators/registry.hpp"
 #include "support/problem.hpp"
 
@@ -217,6 +217,71 @@ TEST(Exponential, ChoosesItsBasisAndSaysWhich) {
   EXPECT_TRUE(choice(stiff, "exponential:rtol=1e-6", 10).starts_with("basis=shift-invert"));
   EXPECT_TRUE(choice(mild, "exponential:rtol=1e-15", 3).starts_with("basis=chebyshev"));  // rounding
   EXPECT_EQ(choice(mild, "exponential:basis=chebyshev", 3), "");
+}
+
+/// Inputs of hundreds of knots and some steps: one space for the start and one for each shape hold them all.
+/// Chebyshev takes them piece by piece.
+TEST(Exponential, TakesAllKnotsOfAnInputAtOnce) {
+  Graph graph = random_graph({.nodes = 400, .seed = 9, .contrast = 30, .fixed = 2, .sources = true});
+  const auto constant_graph = graph;
+  TimeTable profile, pulses{.time = {-1, 0.7, 0.7, 1.1, 1.1, 9}, .value = {0, 0, 20, 20, 0, 3}};
+  for (int k = 0; k <= 500; ++k) {
+    profile.time.push_back(0.01 * k - 0.2);  // it has begun before the run does
+    profile.value.push_back(std::sin(0.7 * k) + 0.5 * (k % 3));
+  }
+  graph.tables = {profile, pulses};
+  graph.fixed_table.assign(graph.nodes(), -1);
+  const auto held = std::find(graph.is_fixed.begin(), graph.is_fixed.end(), 1) - graph.is_fixed.begin();
+  graph.fixed_table[static_cast<std::size_t>(held)] = 0;
+  for (const std::int32_t node : {3, 50, 51}) graph.tabled_sources.push_back({.node = node, .table = 1});
+  const std::vector<double> times{0.05, 0.7, 0.9, 4};
+  Problem driven(graph), constant(constant_graph);
+  const auto exact = run("exponential:basis=chebyshev,rtol=1e-13", driven, times);
+  ASSERT_TRUE(exact.outcome.ok());
+  for (const double rtol : {1e-3, 1e-6, 1e-9}) {
+    const auto spec = fmt::format("exponential:basis=lanczos,rtol={:g}", rtol);
+    const auto result = run(spec, driven, times);
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+    const double span = 20;  // at least, by the pulses
+    double error = 0;
+    for (std::size_t k = 0; k < times.size(); ++k)
+      error = std::max(error, test::rms_difference(result.states[k], exact.states[k]));
+    EXPECT_LT(error, rtol * span) << rtol;
+    EXPECT_GT(result.statistics.error_bound, 0);
+    EXPECT_NEAR(result.statistics.inflow, exact.statistics.inflow,
+                10 * rtol * std::abs(exact.statistics.inflow));
+    EXPECT_LE(result.statistics.max_stages, 2 * run(spec, constant, times).statistics.max_stages)
+        << "vectors of one space, whatever the number of knots";
+  }
+}
+
+TEST(TridiagonalResponse, AddsUpWhatAnInputDoes) {
+  const double alpha[] = {2.0, 3.0, 1.0}, beta[] = {0.5, 0.25};
+  // q jumps to 1 at t = 0, rises by 2 a second from 0.5 on, falls to 0.2 at 0.9 and stays; looked at
+  // from 1.2.
+  const TridiagonalInput inputs[] = {{.since = 0.3, .jump = 0.2 - 1.8, .kink = -2},
+                                     {.since = 0.7, .jump = 0, .kink = 2},
+                                     {.since = 1.2, .jump = 1}};
+  const auto response = tridiagonal_response(alpha, beta, inputs);
+  double y[3] = {}, sum[3] = {};
+  constexpr int steps = 120'000;
+  const double h = 1.2 / steps;
+  for (int k = 0; k < steps; ++k) {
+    const double t = (k + 0.5) * h, q = t < 0.5 ? 1 : t < 0.9 ? 1 + 2 * (t - 0.5) : 0.2;
+    const auto rate = [&](const double* v, int j) {
+      return (j == 0 ? q : 0) - alpha[j] * v[j] - (j > 0 ? beta[j - 1] * v[j - 1] : 0) -
+             (j < 2 ? beta[j] * v[j + 1] : 0);
+    };
+    double middle[3];
+    for (int j = 0; j < 3; ++j) middle[j] = y[j] + h / 2 * rate(y, j);
+    double next[3];
+    for (int j = 0; j < 3; ++j) next[j] = y[j] + h * rate(middle, j);
+    for (int j = 0; j < 3; ++j) sum[j] += h * middle[j], y[j] = next[j];
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_NEAR(response.value[j], y[j], 1e-8) << j;
+    EXPECT_NEAR(response.integral[j], sum[j], 1e-8) << j;
+  }
 }
 
 TEST(Exponential, ProbesNeedNoStates) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "integrators/schemes/stabilised_schemes.hpp"
-#include "integrators/stability_model.hpp"
+#include "integrators/schemes/stability_model.hpp"
 
 namespace superstep {
 

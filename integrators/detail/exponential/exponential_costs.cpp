@@ -18,10 +18,11 @@ constexpr double tightest = 1e-11;  // that the small problems of Krylov spaces 
 // certified rho) and lattices.
 
 /// Terms of the expansion, sqrt(t rho ln(1/rtol)) and a few more; 0.78 stands for the sharper radius that it
-/// works with, 30 for finding that (480 to 1016 sweeps for rtol 1e-3 to 1e-12, within 12 %).
+/// works with, 30 for finding that (480 to 1016 sweeps for rtol 1e-3 to 1e-12, within 12 %). Every piece of
+/// the inputs takes an expansion of its own.
 double sweeps_of_chebyshev(const ExponentialWork& work) {
   const double decades = std::log(1 / work.rtol);
-  return 0.78 * std::sqrt(work.t_rho * decades) + decades + 40;
+  return 0.78 * std::sqrt(work.t_rho * work.pieces * decades) + work.pieces * (decades + 4) + 36;
 }
 
 /// Vectors (134, 227, 307, 458 for rtol 1e-2, 1e-4, 1e-6, 1e-10, within 5 %), and what a product with its
@@ -36,8 +37,10 @@ double sweeps_of_lanczos(const ExponentialWork& work) {
   constexpr double roundings = 30 * std::numeric_limits<double>::epsilon();
   if (work.rtol < tightest || room < std::min(fewest, vectors) || roundings * work.t_rho > work.rtol)
     return never;
-  const double bases = std::max(1.0, vectors / room);
-  return product * vectors * std::sqrt(bases);
+  const double bases = std::max(1.0, vectors / room), spaces = 1 + work.shapes;
+  constexpr double margin = 1.5;  // spaces of driven scenes cannot begin anew
+  if (work.shapes > 0 && margin * spaces * vectors > room) return never;
+  return product * spaces * vectors * std::sqrt(bases);
 }
 
 /// Analysis and factorization once, a factorization more and its own solves for every two decades of output
@@ -74,14 +77,16 @@ ExponentialWork work_of_exponential(Rhs& rhs, const Task& task, double rtol, dou
           .unknowns = static_cast<double>(rhs.size()),
           .output_decades = shortest > 0 && time > shortest ? std::log10(time / shortest) : 0,
           .memory = memory,
-          .autonomous = rhs.traits().linear && rhs.traits().autonomous};
+          .one_field = rhs.traits().linear,
+          .pieces = static_cast<double>(task.propagations),
+          .shapes = rhs.traits().linear ? static_cast<double>(rhs.input_shapes().size()) : 0};
 }
 
 ExponentialCosts exponential_costs(const ExponentialWork& work) {
   ExponentialCosts costs{.chebyshev = sweeps_of_chebyshev(work), .lanczos = never, .shift_invert = never};
-  if (!work.autonomous) return costs;
+  if (!work.one_field) return costs;
   costs.lanczos = sweeps_of_lanczos(work);
-  costs.shift_invert = sweeps_of_shift_invert(work);
+  if (work.shapes == 0) costs.shift_invert = sweeps_of_shift_invert(work);
   return costs;
 }
 

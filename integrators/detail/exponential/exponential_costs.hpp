@@ -15,7 +15,9 @@ struct ExponentialWork {
   double unknowns = 0;
   double output_decades = 0;  ///< log10 of the last output time over the first, both from the start
   double memory = 0;          ///< that a basis or a factor may take [bytes]
-  bool autonomous = true;     ///< else only polynomials known beforehand will do
+  bool one_field = true;      ///< else only polynomials known beforehand will do
+  double pieces = 1;          ///< between breakpoints of the inputs
+  double shapes = 0;          ///< of inputs that change in time: each needs a space of its own
 };
 
 /// Work of one basis; infinity where it is not for this scene.

@@ -19,7 +19,8 @@ void InstantBatch::prepare(Rhs& rhs, const Task& task) {
   origin_.resize(rhs.size());
   span_ = task.spans.front();
   const std::size_t states = plan_->full_states ? plan_->output_times.size() : 1;
-  const std::size_t passes = task.propagations + (keeps_origin() ? 0 : (states - 1) / most_states);
+  const std::size_t stretches = takes_breakpoints() ? 1 : task.propagations;
+  const std::size_t passes = stretches + (keeps_origin() ? 0 : (states - 1) / most_states);
   const auto capacity = rhs.capacities();
   double total = 0, smallest = std::numeric_limits<double>::infinity();
   for (const double c : capacity) {

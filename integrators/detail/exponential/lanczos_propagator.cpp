@@ -8,20 +8,17 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/exponential/tridiagonal_response.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
 #include "integrators/detail/run_guard.hpp"
 
 namespace superstep {
 namespace {
 
 constexpr std::size_t fewest_vectors = 8, most_vectors_ever = 40'000;
-constexpr std::size_t stretch_of_entries = 1024;  // stays in the first cache while vectors are added up
 
 }  // namespace
 
 void LanczosPropagator::allocate() {
-  if (!rhs().traits().autonomous)
-    throw Refused("basis=lanczos is for constant inputs; leave it out where they change in time");
   const double vector = static_cast<double>(rhs().size() * sizeof(double));
   const double fit = std::min(memory_ / std::max(vector, 1.0), static_cast<double>(most_vectors_ever));
   if (fit < fewest_vectors)
@@ -31,7 +28,7 @@ void LanczosPropagator::allocate() {
                     memory_ / 0x1p20, fit));
   most_vectors_ = static_cast<std::size_t>(fit);
   start_.resize(rhs().size());
-  basis_ = VectorStore(rhs().size());
+  space_.emplace(rhs());
 }
 
 void LanczosPropagator::start_over() {
@@ -45,67 +42,28 @@ void LanczosPropagator::start_over() {
 void LanczosPropagator::open_space() {
   open_ = true;
   reported_ = 0;
-  norm_.clear();
-  alpha_.clear();
-  inflow_.clear();
-  bound_ = ResidualBound(stretch() - offset_);
-  const auto rate = basis_.at(0);
-  rhs()(now() + offset_, start_, rate);
-  norm_.push_back(std::sqrt(dot(rate, rate)));
-  rate_of_inflow_ = plan().track_inflow ? rhs().inflow(now() + offset_, start_) : 0;
-}
-
-/// One sweep: v_{j+1} from v_j and v_{j-1}, each times its norm, so that scaling them costs no pass.
-void LanczosPropagator::add_vector() {
-  const std::size_t j = alpha_.size();
-  const std::span<double> next = basis_.at(j + 1);
-  const double* now = basis_[j];
-  Stage stage{.y1 = now, .a = 0, .d = -1 / norm_[j]};
-  if (j > 0) stage.y2 = basis_[j - 1], stage.b = -norm_[j] / norm_[j - 1];
-  rhs().linear_stage(stage, next);
-  alpha_.push_back(dot({now, next.size()}, next) / norm_[j]);
-  const double square = rhs().reduction().sum(
-      [w = next.data(), v = now, c = rhs().capacities().data(), part = alpha_[j] / norm_[j]](std::size_t i) {
-        w[i] -= part * v[i];
-        return c[i] * w[i] * w[i];
-      });
-  bound_.add_row(alpha_[j], norm_[j]);
-  norm_.push_back(std::sqrt(square));
-  if (plan().track_inflow) inflow_.push_back(rhs().linear_inflow({now, next.size()}) / norm_[j]);
-}
-
-/// Rigorous: the integral of the residual.
-double LanczosPropagator::bound_at(double elapsed) const {
-  const double residual = norm_.front() * norm_.back();  // |f_0| beta
-  return residual > 0 ? std::exp(std::log(residual) + bound_.log_integral(elapsed)) * rms_over_norm() : 0;
+  const double t = now() + offset_;
+  space_->open(stretch() - offset_, plan().track_inflow,
+               [&](std::span<double> first) { rhs()(t, start_, first); });
+  rate_of_inflow_ = plan().track_inflow ? rhs().inflow(t, start_) : 0;
 }
 
 /// The bound takes what the residual leaves for undamped, and where it oscillates from node to node it is a
-/// hundred times too large. Where the recurrence has become regular, as it does in networks without stiff
-/// parts, it is continued by its own mirror image, and what that changes is the error; else the bound stands.
+/// hundred times too large: see LanczosSpace::continued.
 double LanczosPropagator::estimate_at(double elapsed) const {
-  constexpr double regular = 4, safety = 3;
-  const std::size_t m = alpha_.size(), half = m / 2;
-  const std::span<const double> alpha = alpha_, beta = std::span(norm_).subspan(1);  // beta[j] leads beyond j
-  const auto within = [&](std::span<const double> part) {
-    const auto [low, high] = std::minmax_element(part.begin(), part.end());
-    return *high <= regular * *low;
-  };
-  if (half == 0 || !within(alpha.subspan(half)) || !within(beta.subspan(half))) return bound_at(elapsed);
-  std::vector<double> diagonal(alpha.begin(), alpha.end()), off(beta.begin(), beta.end());
-  for (std::size_t j = m; j-- > half;) {
-    diagonal.push_back(alpha[j]);
-    if (j > half) off.push_back(beta[j - 1]);
-  }
+  constexpr double safety = 3;
+  const auto continued = space_->continued();
+  if (!continued) return bound_at(elapsed);
+  const std::size_t m = space_->dimension();
   const double time[] = {elapsed};
-  const auto now = tridiagonal_responses(alpha, beta.first(m - 1), time).front().value;
-  const auto later = tridiagonal_responses(diagonal, off, time).front().value;
+  const auto now = tridiagonal_responses(space_->alpha(), space_->beta().first(m - 1), time).front().value;
+  const auto later = tridiagonal_responses(continued->alpha, continued->beta, time).front().value;
   double square = 0;
   for (std::size_t j = 0; j < later.size(); ++j) {
     const double change = later[j] - (j < m ? now[j] : 0.0);
     square += change * change;
   }
-  return std::min(bound_at(elapsed), safety * norm_.front() * std::sqrt(square) * rms_over_norm());
+  return std::min(bound_at(elapsed), safety * space_->length() * std::sqrt(square) * rms_over_norm());
 }
 
 /// Longest time that the present space covers, of `longest` to the end, for its share of the error.
@@ -119,32 +77,6 @@ double LanczosPropagator::time_covered(double longest) const {
   return low;
 }
 
-/// Adds coefficients[k][j] basis_[j] to the state of output k.
-void LanczosPropagator::add_basis(std::span<Output> outputs,
-                                  const std::vector<std::vector<double>>& coefficients) const {
-  const std::size_t n = start_.size(), m = alpha_.size();
-  const auto factor_of = [&](std::size_t k, std::size_t j) {
-    return j < coefficients[k].size() ? coefficients[k][j] : 0.0;
-  };
-  for_ranges((n + stretch_of_entries - 1) / stretch_of_entries, n, [&](std::size_t from, std::size_t to) {
-    for (std::size_t part = from; part < to; ++part) {
-      const std::size_t first = part * stretch_of_entries, last = std::min(first + stretch_of_entries, n);
-      for (std::size_t j = 0; j < m; j += 4) {
-        const auto vector = [&](std::size_t k) { return basis_[std::min(j + k, m - 1)]; };
-        const double *v0 = vector(0), *v1 = vector(1), *v2 = vector(2), *v3 = vector(3);
-        for (std::size_t k = 0; k < outputs.size(); ++k) {
-          if (outputs[k].state.empty() || j >= coefficients[k].size()) continue;
-          const double c0 = factor_of(k, j), c1 = factor_of(k, j + 1);
-          const double c2 = factor_of(k, j + 2), c3 = factor_of(k, j + 3);
-          double* state = outputs[k].state.data();
-          for (std::size_t i = first; i < last; ++i)
-            state[i] += (c0 * v0[i] + c1 * v1[i]) + (c2 * v2[i] + c3 * v3[i]);
-        }
-      }
-    }
-  });
-}
-
 /// Coefficients of unit vectors without those at the end that add less than a thousandth of the tolerance:
 /// early instants need fewer vectors than the last one.
 std::vector<double> LanczosPropagator::significant(std::vector<double> coefficients) const {
@@ -152,7 +84,7 @@ std::vector<double> LanczosPropagator::significant(std::vector<double> coefficie
   double square = 0;
   while (!coefficients.empty()) {
     square += coefficients.back() * coefficients.back();
-    if (norm_[0] * std::sqrt(square) * rms_over_norm() > insignificant * allowed()) break;
+    if (space_->length() * std::sqrt(square) * rms_over_norm() > insignificant * allowed()) break;
     coefficients.pop_back();
   }
   return coefficients;
@@ -160,31 +92,31 @@ std::vector<double> LanczosPropagator::significant(std::vector<double> coefficie
 
 /// States, probes and inflows at instants that the space covers.
 void LanczosPropagator::evaluate(std::span<Output> outputs) {
-  std::vector<double> times, beta(norm_.begin() + 1, norm_.end());
+  std::vector<double> times;
   for (const auto& output : outputs) times.push_back(output.elapsed - offset_);
-  auto responses = tridiagonal_responses(alpha_, beta, times);
-  std::vector<std::vector<double>> coefficients;
+  const std::size_t m = space_->dimension();
+  auto responses = tridiagonal_responses(space_->alpha(), space_->beta().first(m > 0 ? m - 1 : 0), times);
+  std::vector<std::vector<double>> factors;
+  std::vector<std::span<double>> states;
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     Output& output = outputs[k];
     output.inflow = start_inflow_ + times[k] * rate_of_inflow_;
-    for (std::size_t j = 0; j < inflow_.size(); ++j)
-      output.inflow += norm_[0] * responses[k].integral[j] * inflow_[j];
-    coefficients.push_back(significant(std::move(responses[k].value)));
-    for (std::size_t j = 0; j < coefficients[k].size(); ++j) coefficients[k][j] *= norm_[0] / norm_[j];
-    for (std::size_t p = 0; p < plan().probes.size(); ++p) {
-      const std::size_t probe = plan().probes[p];
-      output.probes[p] = start_[probe];
-      for (std::size_t j = 0; j < coefficients[k].size(); ++j)
-        output.probes[p] += coefficients[k][j] * basis_[j][probe];
-    }
+    for (std::size_t j = 0; j < space_->inflow().size(); ++j)
+      output.inflow += space_->length() * responses[k].integral[j] * space_->inflow()[j];
+    factors.push_back(significant(std::move(responses[k].value)));
+    for (double& factor : factors[k]) factor *= space_->length();
+    for (std::size_t p = 0; p < plan().probes.size(); ++p)
+      output.probes[p] = start_[plan().probes[p]] + space_->entry(plan().probes[p], factors[k]);
     std::copy_n(start_.begin(), output.state.size(), output.state.begin());
+    states.push_back(output.state);
   }
-  add_basis(outputs, coefficients);
+  space_->add_to(states, std::move(factors));
   // Each product rounds by some epsilons of rho, which then act as the residual does.
   double sum = 0;
   for (const double integral : responses.back().integral) sum += std::abs(integral);
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
-  const double rounding = roundings * rhs().spectral_bound(now(), start_) * norm_[0] * sum * rms_over_norm();
+  const double rounding =
+      roundings * rhs().spectral_bound(now(), start_) * space_->length() * sum * rms_over_norm();
   const double stored = std::numeric_limits<double>::epsilon() * magnitude() * span();
   const double reached = bound_at(times.back()) + rounding + stored;
   if (!(reached < span())) return give_up_bound();
@@ -196,7 +128,7 @@ Outcome LanczosPropagator::restart_at(double covered, double error) {
   if (!(covered > offset_))
     return {Status::failed, fmt::format("{} Lanczos vectors do not cover any time; give them more memory, or "
                                         "use basis=chebyshev",
-                                        alpha_.size())};
+                                        space_->dimension())};
   StateVector state(start_.size());
   Output end{.elapsed = covered, .state = state, .probes = std::vector<double>(plan().probes.size())};
   evaluate({&end, 1});
@@ -223,11 +155,11 @@ Outcome LanczosPropagator::grow(double elapsed) {
       const double soon = 0.5 * bound / unspent_;
       looseness = estimate < bound ? std::min(bound / estimate, soon) : soon;
     }
-    if (covered_ || norm_.back() == 0 || alpha_.size() == most_vectors_) break;
+    if (covered_ || space_->is_whole() || space_->dimension() == most_vectors_) break;
     if (stop_requested()) return interrupted_at(now() + offset_);
-    add_vector();
+    space_->add_vector();
   }
-  count_terms(alpha_.size());
+  count_terms(space_->dimension());
   return stop_requested() ? interrupted_at(now() + offset_) : Outcome{};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// exp(-t A) by Lanczos in the capacity inner product: adapts to the spectrum that the start really excites.
+/// For constant inputs.
 ///
 ///   y(t) = y_0 + |f_0| V u(t),   u' = e_1 - T u,   A V = V T + beta v_{m+1} e_m^T
 ///
@@ -10,9 +11,10 @@
 /// basis outgrows its memory the time that it does cover is taken and a new one begins there. Source:
 /// Hochbruck & Lubich (1997), doi:10.1137/S0036142995280572.
 
+#include <optional>
+
 #include "integrators/detail/exponential/instant_batch.hpp"
-#include "integrators/detail/exponential/residual_bound.hpp"
-#include "integrators/detail/exponential/vector_store.hpp"
+#include "integrators/detail/krylov/lanczos_space.hpp"
 
 namespace superstep {
 
@@ -30,24 +32,18 @@ class LanczosPropagator final : public InstantBatch {
 
   /// A space of dimension 0 from `start_` at `offset_`.
   void open_space();
-  void add_vector();
   /// rms error after `elapsed` in the present space [K or V]: an upper bound, and what it will be.
-  [[nodiscard]] double bound_at(double elapsed) const;
+  [[nodiscard]] double bound_at(double elapsed) const { return space_->bound_at(elapsed) * rms_over_norm(); }
   [[nodiscard]] double estimate_at(double elapsed) const;
   [[nodiscard]] double time_covered(double longest) const;
   [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients) const;
   void evaluate(std::span<Output> outputs);
-  void add_basis(std::span<Output> outputs, const std::vector<std::vector<double>>& coefficients) const;
   [[nodiscard]] Outcome grow(double elapsed);
   [[nodiscard]] Outcome restart_at(double covered, double error);
 
   double memory_;
   std::size_t most_vectors_ = 0;
-  VectorStore basis_;           ///< v_j times `norm_[j]`
-  std::vector<double> norm_;    ///< [dimension + 1]; norm_[j] couples j-1 to j
-  std::vector<double> alpha_;   ///< [dimension] diagonal of T
-  std::vector<double> inflow_;  ///< [dimension] of v_j, when tracked
-  ResidualBound bound_;
+  std::optional<LanczosSpace> space_;
   StateVector start_;          ///< state from which the present space starts
   double offset_ = 0;          ///< its time since the origin [s]
   double start_inflow_ = 0;    ///< since the origin [J or C]

@@ -12,8 +12,8 @@
 #include <memory>
 
 #include "integrators/detail/exponential/instant_batch.hpp"
-#include "integrators/detail/exponential/rational_projection.hpp"
 #include "integrators/detail/implicit/shifted_solver.hpp"
+#include "integrators/detail/krylov/rational_projection.hpp"
 
 namespace superstep {
 

@@ -65,13 +65,22 @@ FieldOperator::FieldOperator(Network network)
 void FieldOperator::set_conductances(std::span<const double> edges, std::span<const double> ghost_edges) {
   if (edges.data() != network_.conductance.data())
     std::copy(edges.begin(), edges.end(), network_.conductance.begin());
-  for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
   rate_.set_values(network_.row_begin, [this](std::size_t row, std::size_t k) {
     return network_.conductance[k] / network_.capacity[row];
   });
+  for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
   ghosts_.clear();
   for (const auto& edge : network_.ghost_edges)
     ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
+}
+
+void FieldOperator::set_ghost_conductances(std::span<const std::int32_t> edges,
+                                           std::span<const double> conductance) {
+  for (const auto e : edges) {
+    auto& edge = network_.ghost_edges[at(e)];
+    edge.conductance = conductance[at(e)];
+    ghosts_[at(e)].rate = edge.conductance / network_.capacity[at(edge.row)];
+  }
 }
 
 std::span<const double> FieldOperator::ghost_values(double t) {
@@ -113,6 +122,15 @@ void FieldOperator::add_inputs(double t, const Stage& stage, std::size_t first, 
 void FieldOperator::stage(double t, const Stage& stage, double* out) {
   (void)ghost_values(t);
   for_slices(rate_, [&](std::size_t first, std::size_t last) { stage_slices(t, stage, first, last, out); });
+}
+
+void FieldOperator::varying_stage(double t, ConductanceMean mean, const SlicedRows& geometry,
+                                  const NodePair* nodes, const Stage& stage, double* out) {
+  (void)ghost_values(t);
+  for_slices(geometry, [&](std::size_t first, std::size_t last) {
+    varying_sweep(mean, geometry, nodes, stage, first, last, out);
+    add_inputs(t, stage, first * SlicedRows::lanes, last * SlicedRows::lanes, out);
+  });
 }
 
 void FieldOperator::stage_slices(double t, const Stage& stage, std::size_t first, std::size_t last,

@@ -8,6 +8,7 @@
 #include "network/network.hpp"
 #include "rhs/kernels/skewed_passes.hpp"
 #include "rhs/kernels/sliced_rows.hpp"
+#include "rhs/kernels/varying_sweep.hpp"
 #include "rhs/rhs.hpp"
 #include "rhs/tabled_inputs.hpp"
 
@@ -34,6 +35,10 @@ class FieldOperator {
 
   /// out = stage with f = the whole right-hand side of the field at (t, y1). One sweep.
   void stage(double t, const Stage& stage, double* out);
+  /// The same with conductances formed from values of the nodes, see `varying_sweep`; those of the ghost
+  /// edges are the ones last set.
+  void varying_stage(double t, ConductanceMean mean, const SlicedRows& geometry, const NodePair* nodes,
+                     const Stage& stage, double* out);
   /// The stages of a chain, see Rhs::chain.
   ///   drive  rates [n] added to f [K/s or V/s], or empty
   void chain(std::span<ChainedStage> stages, bool with_inflow, std::span<const double> drive,
@@ -56,6 +61,8 @@ class FieldOperator {
   /// Adds a breakpoint for every knot of a table that acts on the field.
   ///   field  its number among those of the right-hand side
   void add_breakpoints(std::size_t field, std::vector<Breakpoint>& points) const;
+  /// See Rhs::input_shapes; of a field that does not radiate.
+  [[nodiscard]] std::vector<InputShape> input_shapes() const;
   /// See Rhs::enter and Rhs::leave.
   void enter(double begin, double end) noexcept;
   void leave() noexcept;
@@ -69,6 +76,8 @@ class FieldOperator {
 
   /// New conductances on the same graph [nnz] and of the ghost edges [ghost edges], W/K or S.
   void set_conductances(std::span<const double> edges, std::span<const double> ghost_edges);
+  /// Of some ghost edges: `edges` says which of `conductance` [ghost edges] are new.
+  void set_ghost_conductances(std::span<const std::int32_t> edges, std::span<const double> conductance);
 
  private:
   struct GhostRate {

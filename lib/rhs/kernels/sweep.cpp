@@ -1,20 +1,9 @@
 #include "rhs/kernels/sweep.hpp"
 
-#include <array>
-#include <bit>
-#include <cstring>
-
-// One text, compiled for each instruction set: inlined into functions with a `target` of their own.
-#define SUPERSTEP_INLINE [[gnu::always_inline]] inline
+#include "rhs/kernels/packs.hpp"
 
 namespace superstep {
 namespace {
-
-/// `width` doubles in a vector register.
-template <std::size_t width>
-struct Vector {
-  typedef double type __attribute__((vector_size(width * sizeof(double))));
-};
 
 // Distances that pay beyond the cache on the processors measured (AMD Zen 5): processors stop prefetching at
 // the end of a page, so entries are asked for a page ahead.
@@ -30,20 +19,6 @@ SUPERSTEP_INLINE void prefetch_entries(const SlicedRows& rows, std::int64_t k) {
 SUPERSTEP_INLINE void prefetch_node(const SlicedRows& rows, const double* y, std::size_t row) {
   __builtin_prefetch(y + std::min(row + rows.reach() + nodes_ahead, rows.rows()));
 }
-
-/// Two neighbours in one load: in cache it is loads that limit the kernel.
-struct NeighbourPair {
-  SUPERSTEP_INLINE explicit NeighbourPair(const std::int32_t* from) {
-    std::memcpy(&both, from, sizeof(both));
-  }
-  [[nodiscard]] SUPERSTEP_INLINE std::size_t first() const {
-    return std::endian::native == std::endian::little ? both & 0xffff'ffffU : both >> 32;
-  }
-  [[nodiscard]] SUPERSTEP_INLINE std::size_t second() const {
-    return std::endian::native == std::endian::little ? both >> 32 : both & 0xffff'ffffU;
-  }
-  std::uint64_t both;
-};
 
 /// Values of `width` neighbours. Single loads beat gather instructions by half on the processors measured,
 /// and halves put together what compilers make of eight.
@@ -180,33 +155,30 @@ SUPERSTEP_INLINE void heat_slices(const SlicedRows& weight, const double* potent
 
 SUPERSTEP_KERNELS(baseline, 4)
 #if defined(__x86_64__)
-SUPERSTEP_KERNELS(avx2, 4, __attribute__((target("avx2,fma"))))
-SUPERSTEP_KERNELS(avx512, 8, __attribute__((target("avx512f,avx512vl,avx512dq,fma"))))
+SUPERSTEP_KERNELS(avx2, 4, SUPERSTEP_AVX2)
+SUPERSTEP_KERNELS(avx512, 8, SUPERSTEP_AVX512)
 #endif
 
-struct Kernels {
-  std::array<SweepKernel, 3> list;
-  std::size_t count = 0;
-};
-
-Kernels find_kernels() noexcept {
-  Kernels out{};
+SweepKernel kernel_of(InstructionSet set) noexcept {
+  switch (set) {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("fma"))
-    out.list[out.count++] = {"avx512", sweep_avx512, heat_avx512};
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    out.list[out.count++] = {"avx2", sweep_avx2, heat_avx2};
+    case InstructionSet::avx512:
+      return {"avx512", sweep_avx512, heat_avx512};
+    case InstructionSet::avx2:
+      return {"avx2", sweep_avx2, heat_avx2};
 #endif
-  out.list[out.count++] = {"baseline", sweep_baseline, heat_baseline};
-  return out;
+    default:
+      return {"baseline", sweep_baseline, heat_baseline};
+  }
 }
 
 }  // namespace
 
 std::span<const SweepKernel> sweep_kernels() noexcept {
-  static const Kernels kernels = find_kernels();
-  return std::span(kernels.list).first(kernels.count);
+  static const auto sets = instruction_sets();
+  static const std::array<SweepKernel, 3> list = {kernel_of(sets.list[0]), kernel_of(sets.list[1]),
+                                                  kernel_of(sets.list[2])};
+  return std::span(list).first(sets.count);
 }
 
 void fused_sweep(const SlicedRows& rate, const Stage& stage, std::size_t first, std::size_t last,

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/index.hpp"
+#include "core/parallel.hpp"
+#include "rhs/kernels/law_values.hpp"
 
 namespace superstep {
 namespace {
@@ -18,12 +20,32 @@ SlotConductivity::SlotConductivity(ConductionLaws laws, std::vector<std::int32_t
       slope_(node_of_slot_.size()) {
   // Before the first update: the reference values, for which the conductances were computed.
   for (std::size_t s = 0; s < value_.size(); ++s) value_[s] = law_of_slot(s).value;
+  gathered_.resize(laws_.of_material.size() > 1 ? value_.size() : 0);
+  slots_of_law_.resize(laws_.of_material.size() > 1 ? laws_.of_material.size() : 0);
+  for (std::size_t s = 0; s < value_.size() && !slots_of_law_.empty(); ++s)
+    slots_of_law_[at(laws_.material[at(node_of_slot_[s])])].push_back(static_cast<std::int32_t>(s));
   limited_ = std::any_of(laws_.of_material.begin(), laws_.of_material.end(),
                          [](const auto& law) { return law.limited(); });
 }
 
 void SlotConductivity::update(std::span<const double> temperature) {
-  for (std::size_t s = 0; s < value_.size(); ++s) value_[s] = law_of_slot(s).at(temperature[s]);
+  if (slots_of_law_.empty()) {
+    for_ranges(value_.size(), value_.size(), [&](std::size_t first, std::size_t last) {
+      law_values(laws_.of_material.front(), temperature.subspan(first, last - first),
+                 std::span(value_).subspan(first, last - first));
+    });
+    return;
+  }
+  for (std::size_t law = 0; law < slots_of_law_.size(); ++law) {
+    const auto& slots = slots_of_law_[law];
+    const std::span<double> room = std::span(gathered_).first(slots.size());
+    for_ranges(slots.size(), slots.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) room[k] = temperature[at(slots[k])];
+      const auto part = room.subspan(first, last - first);
+      law_values(laws_.of_material[law], part, part);
+      for (std::size_t k = first; k < last; ++k) value_[at(slots[k])] = room[k];
+    });
+  }
 }
 
 void SlotConductivity::update_slopes(std::span<const double> temperature) {
@@ -71,6 +93,37 @@ VariableConduction::VariableConduction(const FieldOperator& field, const SlotCon
     }
   });
   ghost_conductance_ = ghost_geometry_;
+  for (std::size_t e = 0; e < slot_of_ghost_edge_.size(); ++e)
+    if (slot_of_ghost_edge_[e] >= 0) varying_ghost_edges_.push_back(static_cast<std::int32_t>(e));
+  nodes_.resize(network.size());
+  scaled_geometry_ = SlicedRows(network.row_begin, network.column);
+  const double factor = geometry_factor(conductivity.mean());
+  scaled_geometry_.set_values(network.row_begin, [&](std::size_t row, std::size_t k) {
+    return factor * geometry_[k] / network.capacity[row];
+  });
+}
+
+void VariableConduction::update_ghosts(const SlotConductivity& conductivity, const FieldOperator& field) {
+  const auto& network = field.network();
+  const auto kappa = conductivity.value();
+  with_mean(conductivity.mean(), [&](auto mean) {
+    for (const auto e : varying_ghost_edges_)
+      ghost_conductance_[at(e)] =
+          ghost_geometry_[at(e)] * mean.value(kappa[at(slot_of_row_[at(network.ghost_edges[at(e)].row)])],
+                                              kappa[at(slot_of_ghost_edge_[at(e)])]);
+  });
+}
+
+void VariableConduction::stage(const SlotConductivity& conductivity, FieldOperator& field, double t,
+                               const Stage& stage, double* out) {
+  const auto kappa = conductivity.value();
+  const auto mean = conductivity.mean();
+  for_each_entry(nodes_.size(), [&](std::size_t i) {
+    nodes_[i] = {stage.y1[i], node_factor(mean, kappa[at(slot_of_row_[i])])};
+  });
+  update_ghosts(conductivity, field);
+  field.set_ghost_conductances(varying_ghost_edges_, ghost_conductance_);
+  field.varying_stage(t, mean, scaled_geometry_, nodes_.data(), stage, out);
 }
 
 void VariableConduction::apply(const SlotConductivity& conductivity, FieldOperator& field) {
@@ -83,12 +136,8 @@ void VariableConduction::apply(const SlotConductivity& conductivity, FieldOperat
       for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k)
         conductance_[at(k)] =
             geometry_[at(k)] * mean.value(row_conductivity_[i], row_conductivity_[at(network.column[at(k)])]);
-    for (std::size_t e = 0; e < network.ghost_edges.size(); ++e)
-      if (slot_of_ghost_edge_[e] >= 0)
-        ghost_conductance_[e] =
-            ghost_geometry_[e] *
-            mean.value(row_conductivity_[at(network.ghost_edges[e].row)], kappa[at(slot_of_ghost_edge_[e])]);
   });
+  update_ghosts(conductivity, field);
   field.set_conductances(conductance_, ghost_conductance_);
 }
 

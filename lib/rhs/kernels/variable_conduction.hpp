@@ -50,7 +50,9 @@ class SlotConductivity {
   ConductionLaws laws_;
   std::vector<std::int32_t> node_of_slot_;
   std::vector<double> value_, slope_;
-  bool limited_ = false;  ///< any law
+  std::vector<std::vector<std::int32_t>> slots_of_law_;  ///< only where there are several laws
+  std::vector<double> gathered_;                         ///< room for the slots of one law
+  bool limited_ = false;                                 ///< any law
 };
 
 /// Keeps the conductances of a field operator up to date.
@@ -62,16 +64,24 @@ class VariableConduction {
                      std::span<const double> reference, std::span<const std::int32_t> slot_of_node);
   /// Sets the conductances that belong to the given conductivities.
   void apply(const SlotConductivity& conductivity, FieldOperator& field);
+  /// out = stage with f of the field at (t, y1) for the given conductivities, which are not kept. One sweep.
+  void stage(const SlotConductivity& conductivity, FieldOperator& field, double t, const Stage& stage,
+             double* out);
   /// Calls add(row, slot, value) for d f_row / d T_slot through the conductances.
   template <class Add>
   void jacobian(const SlotConductivity& conductivity, const FieldOperator& field,
                 std::span<const double> ghost_value, std::span<const double> y, Add add) const;
 
  private:
+  void update_ghosts(const SlotConductivity& conductivity, const FieldOperator& field);
+
   std::vector<std::int32_t> slot_of_row_;
-  std::vector<std::int32_t> slot_of_ghost_edge_;  ///< -1: an ambient, whose conductance is constant
+  std::vector<std::int32_t> slot_of_ghost_edge_;   ///< -1: an ambient, whose conductance is constant
+  std::vector<std::int32_t> varying_ghost_edges_;  ///< the others of them
   std::vector<double> geometry_, ghost_geometry_;
   std::vector<double> row_conductivity_, conductance_, ghost_conductance_;
+  SlicedRows scaled_geometry_;   ///< G_ij/C_i as the sweep takes it
+  std::vector<NodePair> nodes_;  ///< [rows]
 };
 
 template <class Add>

@@ -22,4 +22,18 @@ struct TridiagonalResponse {
                                                                      std::span<const double> beta,
                                                                      std::span<const double> times);
 
+/// What changed about an input some time ago: by how much it jumped, and how its slope changed.
+struct TridiagonalInput {
+  double since = 0;           ///< > 0 [s]
+  double jump = 0, kink = 0;  ///< [-], [1/s]
+};
+
+/// The response to an input q that is 0 before all of them and a line between: y' = q(t) e_1 - T y, y = 0
+/// before, and its integral over time. By superposition at the nodes of the same contours, so that thousands
+/// of knots cost little more than one.
+///   inputs  ascending in `since`
+[[nodiscard]] TridiagonalResponse tridiagonal_response(std::span<const double> alpha,
+                                                       std::span<const double> beta,
+                                                       std::span<const TridiagonalInput> inputs);
+
 }  // namespace superstep

@@ -1,4 +1,4 @@
-#include "integrators/detail/exponential/residual_bound.hpp"
+#include "integrators/detail/krylov/residual_bound.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "integrators/detail/exponential/rational_projection.hpp"
+#include "integrators/detail/krylov/rational_projection.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

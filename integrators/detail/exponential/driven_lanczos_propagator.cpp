@@ -1,0 +1,187 @@
+#include "integrators/detail/exponential/driven_lanczos_propagator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/index.hpp"
+#include "core/parallel.hpp"
+#include "integrators/detail/run_guard.hpp"
+
+namespace superstep {
+namespace {
+
+double sum_of(std::span<const double> values) {
+  double sum = 0;
+  for (const double value : values) sum += std::abs(value);
+  return sum;
+}
+
+}  // namespace
+
+void DrivenLanczosPropagator::allocate() {
+  const double vector = static_cast<double>(std::max<std::size_t>(1, rhs().size()) * sizeof(double));
+  constexpr double most_ever = 40'000;
+  most_vectors_ = static_cast<std::size_t>(std::min(memory_ / vector, most_ever));
+  inputs_.clear();
+  inputs_.emplace_back(rhs());
+  const auto capacity = rhs().capacities();
+  for (auto& shape : rhs().input_shapes()) {
+    Input& input = inputs_.emplace_back(rhs());
+    for (const auto& rate : shape.rates) input.inflow_rate += capacity[at(rate.entry)] * rate.rate;
+    input.shape = std::move(shape);
+  }
+}
+
+/// The input seen from time t: steps and kinks of its table since the start, and the start itself, from where
+/// on it is a line.
+void DrivenLanczosPropagator::look_back(Input& input, double t) const {
+  auto& changes = input.changes;
+  changes.clear();
+  const double begin = now();
+  if (!input.shape.table) return changes.push_back({.since = t - begin, .jump = 1, .kink = 0});
+  const auto& time = input.shape.table->time;
+  const auto& value = input.shape.table->value;
+  const auto slope_after = [&](std::size_t k) {  // of the piece that begins at knot k
+    const bool inside = k + 1 < time.size() && time[k + 1] > time[k];
+    return inside ? (value[k + 1] - value[k]) / (time[k + 1] - time[k]) : 0.0;
+  };
+  const auto after = [&](double instant) {
+    return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), instant) - time.begin());
+  };
+  std::size_t k = after(begin);
+  double slope = k > 0 ? slope_after(k - 1) : 0;
+  changes.push_back({.since = t - begin, .jump = 0, .kink = slope});
+  while (k < time.size() && time[k] < t) {
+    std::size_t last = k;  // of the knots at this instant
+    while (last + 1 < time.size() && time[last + 1] == time[k]) ++last;
+    const double next = slope_after(last);
+    changes.push_back({.since = t - time[k], .jump = value[last] - value[k], .kink = next - slope});
+    slope = next;
+    k = last + 1;
+  }
+  std::erase_if(changes, [](const auto& change) { return change.jump == 0 && change.kink == 0; });
+  std::reverse(changes.begin(), changes.end());
+}
+
+/// What a continued recurrence would change, at the end and at the strongest moments of the input; the bound
+/// where the recurrence is not regular.
+double DrivenLanczosPropagator::estimate(Input& input) const {
+  constexpr double safety = 3;
+  constexpr std::size_t looks = 4;
+  const auto& space = input.space;
+  const double bound = space.bound_at(stretch()) * input.largest * rms_over_norm();
+  const auto continued = space.continued();
+  if (!continued) return bound;
+  const std::size_t m = space.dimension();
+  double worst = 0;
+  for (std::size_t look = 1; look <= looks; ++look) {
+    look_back(input, now() + stretch() * static_cast<double>(look) / looks);
+    if (input.changes.empty()) continue;
+    const auto first = tridiagonal_response(space.alpha(), space.beta().first(m - 1), input.changes).value;
+    const auto later = tridiagonal_response(continued->alpha, continued->beta, input.changes).value;
+    double square = 0;
+    for (std::size_t j = 0; j < later.size(); ++j) {
+      const double change = later[j] - (j < m ? first[j] : 0.0);
+      square += change * change;
+    }
+    worst = std::max(worst, std::sqrt(square));
+  }
+  return std::min(bound, safety * space.length() * worst * rms_over_norm());
+}
+
+/// Until the space holds what its input does by the end of the run.
+Outcome DrivenLanczosPropagator::grow(Input& input) {
+  auto& space = input.space;
+  space.open(stretch(), plan().track_inflow, [&](std::span<double> first) {
+    if (!input.shape.table) return rhs()(now(), origin(), first);
+    std::fill(first.begin(), first.end(), 0.0);
+    for (const auto& rate : input.shape.rates) first[at(rate.entry)] = rate.rate;
+  });
+  input.reported = 0;
+  input.largest = 1;
+  if (const auto* table = input.shape.table) {
+    const auto [low, high] = table->range(now(), now() + stretch());
+    const double start = table->at(now());
+    input.largest = std::max(high - start, start - low);
+  }
+  const double share = allowed() / static_cast<double>(inputs_.size());
+  constexpr double first_look = 5e3;  // times the tolerance: how much the bound may be too large
+  double looseness = first_look;
+  while (!space.is_whole() && input.largest > 0) {
+    const double bound = space.dimension() == 0 ? std::numeric_limits<double>::infinity()
+                                                : space.bound_at(stretch()) * input.largest * rms_over_norm();
+    if (bound <= share) break;
+    if (bound <= looseness * share) {
+      const double found = estimate(input);
+      if (found <= share) break;
+      looseness = std::min(0.5 * bound / share, found < bound ? bound / found : looseness);
+    }
+    if (++vectors_ > most_vectors_)
+      return {Status::failed, fmt::format("{} Lanczos vectors do not hold what the inputs do; give them more "
+                                          "memory, or use basis=chebyshev",
+                                          most_vectors_)};
+    if (stop_requested()) return interrupted_at(now());
+    space.add_vector();
+  }
+  count_terms(space.dimension());
+  return {};
+}
+
+void DrivenLanczosPropagator::add_responses(Input& input, std::span<Output> outputs) {
+  const auto& space = input.space;
+  const std::size_t m = space.dimension();
+  std::vector<std::vector<double>> factors(outputs.size());
+  std::vector<std::span<double>> states;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    Output& output = outputs[k];
+    states.push_back(output.state);
+    const double t = now() + output.elapsed;
+    if (const auto* table = input.shape.table)
+      output.inflow += input.inflow_rate * (table->integral(now(), t) - output.elapsed * table->at(now()));
+    look_back(input, t);
+    if (m == 0 || input.changes.empty()) continue;
+    auto response = tridiagonal_response(space.alpha(), space.beta().first(m - 1), input.changes);
+    for (std::size_t j = 0; j < space.inflow().size(); ++j)
+      output.inflow += space.length() * response.integral[j] * space.inflow()[j];
+    for (double& factor : response.value) factor *= space.length();
+    for (std::size_t p = 0; p < plan().probes.size(); ++p)
+      output.probes[p] += space.entry(plan().probes[p], response.value);
+    if (&output == &outputs.back()) report(input, output.elapsed, sum_of(response.integral));
+    factors[k] = std::move(response.value);
+  }
+  space.add_to(states, std::move(factors));
+}
+
+/// Adds what the error bound has grown by.
+///   integral  of the small solution, all entries [s]: each product rounds by some epsilons of rho
+void DrivenLanczosPropagator::report(Input& input, double elapsed, double integral) {
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+  const auto& space = input.space;
+  const double rounding = roundings * rhs().spectral_bound(now(), origin()) * space.length() * integral;
+  const double reached = (space.bound_at(elapsed) * input.largest + rounding) * rms_over_norm();
+  if (!(reached < span())) return give_up_bound();
+  if (reached > input.reported) add_bound((reached - std::exchange(input.reported, reached)) / span());
+}
+
+Outcome DrivenLanczosPropagator::propagate(std::span<Output> outputs) {
+  if (!grown_) {
+    vectors_ = 0;
+    for (auto& input : inputs_)
+      if (Outcome outcome = grow(input); !outcome.ok()) return outcome;
+    constant_inflow_ = plan().track_inflow ? rhs().inflow(now(), origin()) : 0;
+    add_bound(std::numeric_limits<double>::epsilon() * magnitude());  // of what is stored
+    grown_ = true;
+  }
+  for (auto& output : outputs) {
+    std::copy_n(origin().begin(), output.state.size(), output.state.begin());
+    for (std::size_t p = 0; p < plan().probes.size(); ++p) output.probes[p] = origin()[plan().probes[p]];
+    output.inflow = constant_inflow_ * output.elapsed;
+  }
+  for (auto& input : inputs_) add_responses(input, outputs);
+  return {};
+}
+
+}  // namespace superstep
