@@ -99,6 +99,7 @@ void FieldOperator::add_breakpoints(std::size_t field, std::vector<Breakpoint>& 
 
 std::vector<InputShape> FieldOperator::input_shapes() const {
   const auto& tables = inputs_.tables();
+  if (tables.empty()) return {};  // then nobody need have said which table a ghost follows
   std::vector<std::vector<double>> rate(tables.size());
   const auto add = [&](std::int32_t table, std::int32_t row, double amount) {
     if (table < 0) return;

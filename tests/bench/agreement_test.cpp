@@ -28,7 +28,7 @@ std::vector<std::string> case_files() {
   return files;
 }
 
-constexpr std::size_t large = 20'000;  // unknowns; such a case is run up to its first output time
+constexpr std::size_t large = 10'000;  // unknowns; such a case is run up to its first output time
 
 /// States at the output times; empty when the method did not end well.
 std::vector<std::vector<double>> states(const Scene& scene, const std::string& spec,

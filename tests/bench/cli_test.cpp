@@ -126,7 +126,7 @@ TEST_F(Program, CompletionScriptsOfferCommandsOptionsAndMethods) {
   const std::string command =
       fmt::format("cd '{}' && bash complete.sh >completed.txt 2>&1", folder_.file("."));
   ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT(cert-env33-c): a shell is what users have
-  EXPECT_EQ(folder_.read("completed.txt"), "bench\n--repetitions --report\nexponential\nnever\n\n");
+  EXPECT_EQ(folder_.read("completed.txt"), "bench\n--repetitions --report\nexponential exprb\nnever\n\n");
   for (const std::string shell : {"zsh", "fish"}) {
     ASSERT_EQ(run("completion " + shell), 0);
     EXPECT_NE(out().find("work-precision"), std::string::npos);
