@@ -110,20 +110,21 @@ class Automatic final : public Method {
 }  // namespace
 
 IntegratorEntry automatic_entry() {
-  return {.name = "auto",
-          .summary = "picks method and parameters from spectrum, linearity, size and tolerance, and says why",
-          .source = "cost models measured on packings, integrators/automatic.cpp",
-          .colour = "#9a9a2e",
-          .order = 0,
-          .adaptive = true,
-          .keys = {{.name = "rtol",
-                    .min = 1e-12,
-                    .max = 0.5,
-                    .fallback = "1e-4",
-                    .meaning = "error wanted at every output time, relative to the field's span"}},
-          .examples = {"auto:rtol=1e-6"},
-          .ladder = rtol_ladder("auto", 2, 10, 2),
-          .make = [](const Options& options) { return std::make_unique<Automatic>(options); }};
+  return {
+      .name = "auto",
+      .summary = "picks method and parameters from spectrum, linearity, size and tolerance, and says why",
+      .source = "cost models measured on packings, integrators/automatic.cpp",
+      .colour = "#9a9a2e",
+      .order = 0,
+      .adaptive = true,
+      .keys = {{.name = "rtol",
+                .min = 1e-12,
+                .max = 0.5,
+                .fallback = "1e-4",
+                .meaning = "error allowed at every output time (rms), relative to the span of the field"}},
+      .examples = {"auto:rtol=1e-6"},
+      .ladder = rtol_ladder("auto", 2, 10, 2),
+      .make = [](const Options& options) { return std::make_unique<Automatic>(options); }};
 }
 
 }  // namespace superstep

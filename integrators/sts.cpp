@@ -180,11 +180,13 @@ std::vector<OptionKey> sts_keys() {
        .fallback = "leja up to 256 substeps, then recurrence",
        .meaning = "how substeps are carried out; natural loses digits for large n"},
   };
-  keys.push_back({.name = "rtol",
-                  .min = 1e-14,
-                  .max = 0.5,
-                  .fallback = "1e-4",
-                  .meaning = "with n=auto: error wanted at output times, relative to the span"});
+  keys.push_back(
+      {.name = "rtol",
+       .min = 1e-14,
+       .max = 0.5,
+       .fallback = "1e-4",
+       .meaning =
+           "with n=auto: error allowed at every output time (rms), relative to the span of the field"});
   for (auto& key : critical_step_keys()) keys.push_back(std::move(key));
   return keys;
 }

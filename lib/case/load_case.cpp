@@ -9,6 +9,48 @@
 #include "packing/read.hpp"
 
 namespace superstep {
+namespace {
+
+void read_times(TomlTable& root, CaseHead& head) {
+  head.t_end = root.positive("t_end", "s");
+  head.output_times = {head.t_end};
+  const auto times = root.find("output_times");
+  if (!times) return;
+  head.output_times = times->numbers();
+  head.own_output_times = true;
+  double previous = 0;
+  for (const double t : head.output_times) {
+    if (!(t > previous)) times->reject("the times must be > 0 and ascending [s]");
+    previous = t;
+  }
+  if (head.output_times.empty() || head.output_times.back() > head.t_end)
+    times->reject(fmt::format("there must be at least one time, and none after t_end = {}", head.t_end));
+  if (head.output_times.back() < head.t_end) head.output_times.push_back(head.t_end);
+}
+
+void read_bench(TomlTable& root, CaseHead& head) {
+  auto bench = root.table("bench");
+  if (!bench) return;
+  if (const auto integrators = bench->find("integrators")) {
+    head.bench.integrators = integrators->strings();
+    for (const auto& spec : head.bench.integrators) head.stated_specs.push_back({spec, integrators->where()});
+  }
+  if (const auto baseline = bench->find("baseline")) {
+    head.bench.baseline = baseline->string();
+    head.stated_specs.push_back({head.bench.baseline, baseline->where()});
+  }
+}
+
+}  // namespace
+
+void read_head(TomlTable& root, CaseHead& head) {
+  head.file = root.file();
+  head.name = std::filesystem::path(head.file).stem().string();
+  head.title = root.string("title").value_or(head.name);
+  head.source = root.string("source").value_or("");
+  read_times(root, head);
+  read_bench(root, head);
+}
 
 TomlTable parse_case(const std::string& path) {
   try {

@@ -322,8 +322,9 @@ TEST_F(Program, ListNamesEveryIntegratorWithItsKeys) {
   for (const auto& entry : json.at("integrators"))
     for (const auto& key : entry.at("keys"))
       if (key.at("name") == "rtol")
-        EXPECT_EQ(key.at("meaning"),
-                  "error allowed at every output time (rms), relative to the span of the field")
+        EXPECT_NE(key.at("meaning").get<std::string>().find(
+                      "error allowed at every output time (rms), relative to the span of the field"),
+                  std::string::npos)
             << entry.at("name") << ": a tolerance means the same everywhere";
 }
 
