@@ -228,7 +228,8 @@ TEST_F(CaseFile, NumbersThatNoSolverCanComputeWithAreRefusedWithTheRange) {
     expect_complaint(network("1", number), "between 1e-40 and 1e+40");
   }
   expect_complaint(network("1", "1", "output_times = [1e-300, 1]\n"), "output time 1e-300 s");
-  expect_complaint(with("fixed = [ { where = 'top', value = 1e300 } ]\n"), "key 'thermal.fixed[0].value' is 1e+300");
+  expect_complaint(with("fixed = [ { where = 'top', value = 1e300 } ]\n"),
+                   "key 'thermal.fixed[0].value' is 1e+300");
   expect_complaint(with("source = [ { where = 'top', value = { times = [0], values = [-1e99] } } ]\n"),
                    "must not exceed");
   EXPECT_NO_THROW(load(network("1e-40", "1e40")));

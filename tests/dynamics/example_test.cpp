@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/text/text_file.hpp"
 #include "case/press/press.hpp"
+#include "core/text/text_file.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -30,8 +30,7 @@ std::vector<End> phase_ends(const Press& one, Motion& motion) {
 }
 
 TEST(Example, PoursPressesHeatsBondsAndSpringsBack) {
-  const Press one =
-      load_press(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/sintering_example.toml");
+  const Press one = load_press(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/sintering_example.toml");
   Motion motion(one.model, one.particles, one.stepping);
   const auto ends = phase_ends(one, motion);
   enum : std::size_t { fall, pour, press, hold, release };
