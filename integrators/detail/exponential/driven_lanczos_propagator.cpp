@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/index.hpp"
 #include "core/parallel.hpp"
@@ -66,30 +67,37 @@ void DrivenLanczosPropagator::look_back(Input& input, double t) const {
   std::reverse(changes.begin(), changes.end());
 }
 
-/// What a continued recurrence would change, at the end and at the strongest moments of the input; the bound
-/// where the recurrence is not regular.
-double DrivenLanczosPropagator::estimate(Input& input) const {
+/// How far the input goes up and down in all until the end of the run.
+double DrivenLanczosPropagator::variation_of(const Input& input) const {
+  if (!input.shape.table) return 1;
+  const auto& table = *input.shape.table;
+  const double end = now() + stretch();
+  double sum = 0, last = table.at(now());
+  const auto go_to = [&](double value) { sum += std::abs(value - std::exchange(last, value)); };
+  for (std::size_t k = 0; k < table.time.size(); ++k)
+    if (table.time[k] > now() && table.time[k] < end) go_to(table.value[k]);
+  go_to(table.before(end));
+  return sum;
+}
+
+/// What a continued recurrence would change by the end if the input were a step, which is more than at any
+/// time before, times all that the input goes up and down; the bound where the recurrence is not regular.
+double DrivenLanczosPropagator::estimate(const Input& input) const {
   constexpr double safety = 3;
-  constexpr std::size_t looks = 4;
   const auto& space = input.space;
   const double bound = space.bound_at(stretch()) * input.largest * rms_over_norm();
   const auto continued = space.continued();
   if (!continued) return bound;
   const std::size_t m = space.dimension();
-  double worst = 0;
-  for (std::size_t look = 1; look <= looks; ++look) {
-    look_back(input, now() + stretch() * static_cast<double>(look) / looks);
-    if (input.changes.empty()) continue;
-    const auto first = tridiagonal_response(space.alpha(), space.beta().first(m - 1), input.changes).value;
-    const auto later = tridiagonal_response(continued->alpha, continued->beta, input.changes).value;
-    double square = 0;
-    for (std::size_t j = 0; j < later.size(); ++j) {
-      const double change = later[j] - (j < m ? first[j] : 0.0);
-      square += change * change;
-    }
-    worst = std::max(worst, std::sqrt(square));
+  const double time[] = {stretch()};
+  const auto now = tridiagonal_responses(space.alpha(), space.beta().first(m - 1), time).front().value;
+  const auto later = tridiagonal_responses(continued->alpha, continued->beta, time).front().value;
+  double square = 0;
+  for (std::size_t j = 0; j < later.size(); ++j) {
+    const double change = later[j] - (j < m ? now[j] : 0.0);
+    square += change * change;
   }
-  return std::min(bound, safety * space.length() * worst * rms_over_norm());
+  return std::min(bound, safety * space.length() * std::sqrt(square) * input.variation * rms_over_norm());
 }
 
 /// Until the space holds what its input does by the end of the run.
@@ -107,6 +115,7 @@ Outcome DrivenLanczosPropagator::grow(Input& input) {
     const double start = table->at(now());
     input.largest = std::max(high - start, start - low);
   }
+  input.variation = variation_of(input);
   const double share = allowed() / static_cast<double>(inputs_.size());
   constexpr double first_look = 5e3;  // times the tolerance: how much the bound may be too large
   double looseness = first_look;

@@ -11,6 +11,8 @@
 namespace superstep {
 namespace {
 
+constexpr std::size_t longest = 200;  // hostile names must not cost quadratic time
+
 /// Insertions, deletions, substitutions and swaps of neighbours that turn a into b, no piece edited twice.
 /// Source: "optimal string alignment", a restriction of Damerau (1964), doi:10.1145/363958.363994.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -39,8 +41,7 @@ bool one_holds_the_other(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
-  constexpr std::size_t longest = 200;  // hostile names must not cost quadratic time
+std::string nearest_by_spelling(std::string_view name, std::span<const std::string> candidates) {
   if (name.size() > longest) return {};
   std::string best;
   std::size_t best_distance = 1 + std::max<std::size_t>(1, name.size() / 3);
@@ -51,8 +52,14 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
       best = candidate;
     }
   }
+  return best;
+}
+
+std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
+  if (name.size() > longest) return {};
+  std::string best = nearest_by_spelling(name, candidates);
   if (!best.empty()) return best;
-  best_distance = longest;
+  std::size_t best_distance = longest;
   for (const auto& candidate : candidates) {
     if (!one_holds_the_other(name, candidate)) continue;
     const std::size_t distance = edit_distance(name, candidate);

@@ -7,7 +7,10 @@
 
 namespace superstep {
 
-/// Closest candidate by edit distance; where none is near enough to be a slip of the pen, the closest of
+/// Closest candidate by edit distance that is near enough to be a slip of the pen; else empty.
+[[nodiscard]] std::string nearest_by_spelling(std::string_view name, std::span<const std::string> candidates);
+
+/// The same; where none is near enough to be a slip of the pen, the closest of
 /// those that hold the name or that it holds, as in "benchmark" for "bench"; else empty.
 [[nodiscard]] std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 

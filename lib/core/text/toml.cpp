@@ -247,7 +247,7 @@ void TomlTable::missing(const std::string& key, const std::string& what) const {
   wanted.push_back(key);
   for (const auto& [other, node] : *data_->table) {
     const std::string name(other.str());
-    if (!data_->asked.keys.contains(name) && !nearest_name(name, wanted).empty())
+    if (!data_->asked.keys.contains(name) && !nearest_by_spelling(name, wanted).empty())
       data_->document->reject_key(other, data_->asked.path, wanted);
   }
   throw InputError(fmt::format("{}: {}", where(), what));
