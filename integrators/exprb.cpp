@@ -90,7 +90,7 @@ class ExponentialRosenbrock final : public OneStepMethod {
 void ExponentialRosenbrock::linearise(const Step& step, const StateVector& y) {
   if (linearised_) return;
   linearised_ = true;
-  jacobian_.set(*rhs_, step.t, y);
+  jacobian_.set(step.t, y);
   of_slope_.begin([&](std::size_t i) { return slope_[i]; });
   if (rhs_->traits().autonomous) return;
   // Inputs are lines in time here, also beyond the piece: a central difference of a few roundings is
@@ -107,7 +107,7 @@ void ExponentialRosenbrock::linearise(const Step& step, const StateVector& y) {
 void ExponentialRosenbrock::difference_at(double t, double s, const StateVector& y, StateVector& out) {
   const auto scale = jacobian_.scale(), inverse = jacobian_.inverse();
   for_each_entry(y.size(), [&](std::size_t i) { difference_[i] = scale[i] * (stage_[i] - y[i]); });
-  (void)jacobian_.multiply(rhs_->reduction(), difference_.data(), difference_.data(), linear_.data());
+  (void)jacobian_.multiply(difference_.data(), difference_.data(), linear_.data());
   (*rhs_)(t + s, stage_, out);
   const double drifted = rhs_->traits().autonomous ? 0 : s;
   for_each_entry(y.size(),

@@ -127,7 +127,7 @@ std::string keys_json() {
                            {"unit", key.unit},
                            {"default", key.fallback},
                            {"meaning", key.meaning}});
-  return out.dump(2) + "\n";
+  return json_text(out);
 }
 
 Command from_line(const Arguments& values) {

@@ -99,22 +99,15 @@ void FieldOperator::add_breakpoints(std::size_t field, std::vector<Breakpoint>& 
 
 std::vector<InputShape> FieldOperator::input_shapes() const {
   const auto& tables = inputs_.tables();
-  if (tables.empty()) return {};  // then nobody need have said which table a ghost follows
-  std::vector<std::vector<double>> rate(tables.size());
-  const auto add = [&](std::int32_t table, std::int32_t row, double amount) {
-    if (table < 0) return;
-    rate[at(table)].resize(size(), 0.0);
-    rate[at(table)][at(row)] += amount;
+  std::vector<InputShape> shapes;
+  if (tables.empty()) return shapes;  // then nobody need have said which table a ghost follows
+  for (const auto& table : tables) shapes.push_back({.table = &table, .rates = {}});
+  const auto add = [&](std::int32_t table, std::int32_t row, double rate) {
+    if (table >= 0) shapes[at(table)].rates.push_back({row, rate});
   };
   for (const auto& ghost : ghosts_) add(network_.ghost_table[at(ghost.ghost)], ghost.row, ghost.rate);
   for (const auto& source : tabled_) add(source.table, source.row, 1 / network_.capacity[at(source.row)]);
-  std::vector<InputShape> shapes;
-  for (std::size_t k = 0; k < tables.size(); ++k) {
-    InputShape shape{.table = &tables[k], .rates = {}};
-    for (std::size_t row = 0; row < rate[k].size(); ++row)
-      if (rate[k][row] != 0) shape.rates.push_back({static_cast<std::int32_t>(row), rate[k][row]});
-    if (!shape.rates.empty()) shapes.push_back(std::move(shape));
-  }
+  std::erase_if(shapes, [](const auto& shape) { return shape.rates.empty(); });
   return shapes;
 }
 

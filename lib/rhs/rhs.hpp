@@ -48,7 +48,7 @@ struct InputShape {
     std::int32_t entry = 0;
     double rate = 0;  ///< K/s or V/s for a unit of the table
   };
-  std::vector<Rate> rates;  ///< every entry once
+  std::vector<Rate> rates;  ///< to be added up: an entry may be there several times
 };
 
 class OneWayCoupling;
@@ -91,6 +91,8 @@ class Rhs {
     ++counters_->sweeps;
     do_block_product(field, v, out);
   }
+  /// A product with an assembled Jacobian is the work of a sweep, too: whoever makes one says so.
+  void count_product() noexcept { counters_->sweeps += networks_swept_; }
   /// Values of the Jacobian df/dy at (t, y) on `pattern()` [1/s].
   void jacobian(double t, std::span<const double> y, std::span<double> values) {
     ++counters_->jacobians;

@@ -8,35 +8,7 @@ import subprocess
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
-PRESS = """
-title = "small press"
-t_end = 0.03
-output_times = [0.01, 0.02, 0.03]
-[material]
-density = 2000.0
-[thermal]
-conductivity = 1e5
-specific_heat = 100.0
-initial = 300.0
-walls = { lower = 1000.0, upper = 900.0, sides = 300.0 }
-[dynamics]
-[dynamics.box]
-min = [0.0, 0.0, 0.0]
-max = [0.4, 0.4, 0.5]
-[dynamics.particles]
-count = 30
-radius = 0.05
-seed = 3
-[dynamics.contact]
-stiffness = 1e7
-damping = 0.2
-[dynamics.wall]
-stiffness = 1e7
-[[dynamics.phases]]
-name = "press"
-until = 0.03
-upper_wall = 0.4
-"""
+PRESS = (SOURCE / "tests/support/small_press.toml").read_text()
 
 
 def nodes_and_edges(nodes):

@@ -171,6 +171,28 @@ TEST(Exponential, KeepsItsDigitsWhereValuesAreLargeAgainstTheirSpan) {
   EXPECT_LT(result.statistics.error_bound, 20 * stored);  // in spans, and those are above 1/2
 }
 
+/// Micrometres or metres: capacities and conductances times 1e-12 or 1e12 are the same network, in which
+/// lengths of rates in the capacity norm are a million times smaller or larger.
+TEST(Exponential, UnitsOfTheCapacitiesDoNotMatter) {
+  const Graph graph = random_graph({.nodes = 80, .seed = 6, .contrast = 50, .fixed = 2, .sources = true});
+  Problem one(graph);
+  const std::vector<double> times{0.02, 0.4};
+  for (const double factor : {1e-12, 1e12}) {
+    Graph scaled = graph;
+    for (auto* values : {&scaled.capacity, &scaled.conductance, &scaled.source})
+      for (double& value : *values) value *= factor;
+    Problem other(scaled);
+    for (const char* basis : {"lanczos", "shift-invert", "chebyshev"})
+      for (const double rtol : {1e-3, 1e-8}) {
+        const auto result = run(fmt::format("exponential:basis={},rtol={:g}", basis, rtol), other, times);
+        ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+        for (std::size_t k = 0; k < times.size(); ++k)
+          EXPECT_LT(test::rms_difference(result.states[k], one.exact(times[k])), 2 * rtol)
+              << basis << ' ' << rtol << ' ' << factor << ' ' << times[k];
+      }
+  }
+}
+
 /// 1 MiB holds 52 of these vectors, where more are needed.
 TEST(Exponential, LanczosBeginsAnewWhereItsMemoryEnds) {
   Problem problem(test::chain(2500, 0.0, 1.0));

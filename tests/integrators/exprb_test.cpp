@@ -116,7 +116,7 @@ TEST(KrylovSpace, ErrsLessThanItSays) {
   task.allowed = {1e-3, 1e-3};
   ScaledJacobian scaled;
   scaled.prepare(*rhs, task);
-  scaled.set(*rhs, 0, y);
+  scaled.set(0, y);
   ErrorNorm norm;
   norm.prepare(*rhs, task.allowed);
   const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(f.data(), size);

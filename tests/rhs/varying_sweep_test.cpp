@@ -165,6 +165,21 @@ TEST(LawValues, AreThoseOfTheLawOneByOne) {
     }
 }
 
+/// A table that falls over twenty decades: what it says where it is small has all its digits.
+TEST(LawValues, OfATableLoseNothingToLargeValuesElsewhere) {
+  ConductivityLaw table{.kind = ConductivityLaw::Kind::table, .value = 1};
+  table.temperatures = {0, 100, 200};
+  table.values = {1e20, 1, 2};
+  std::vector<double> temperature;
+  for (double t = 100; t < 300; t += 3.7) temperature.push_back(t);
+  for (const auto& kernel : law_kernels()) {
+    std::vector<double> out(temperature.size());
+    kernel.values(table, temperature.data(), temperature.size(), out.data());
+    for (std::size_t i = 0; i < out.size(); ++i)
+      EXPECT_NEAR(out[i], table.at(temperature[i]), 1e-14) << kernel.name << ' ' << temperature[i];
+  }
+}
+
 TEST(LawValues, DoNotDependOnWhereARangeEnds) {
   std::vector<double> temperature;
   for (int k = 0; k < 61; ++k) temperature.push_back(300 + 7 * std::sin(k));

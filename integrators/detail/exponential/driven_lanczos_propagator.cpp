@@ -67,37 +67,17 @@ void DrivenLanczosPropagator::look_back(Input& input, double t) const {
   std::reverse(changes.begin(), changes.end());
 }
 
-/// How far the input goes up and down in all until the end of the run.
-double DrivenLanczosPropagator::variation_of(const Input& input) const {
-  if (!input.shape.table) return 1;
+LanczosSpace::Input DrivenLanczosPropagator::size_of(const Input& input) const {
+  if (!input.shape.table) return {};
   const auto& table = *input.shape.table;
-  const double end = now() + stretch();
-  double sum = 0, last = table.at(now());
+  const double end = now() + stretch(), start = table.at(now());
+  double sum = 0, last = start;
   const auto go_to = [&](double value) { sum += std::abs(value - std::exchange(last, value)); };
   for (std::size_t k = 0; k < table.time.size(); ++k)
     if (table.time[k] > now() && table.time[k] < end) go_to(table.value[k]);
   go_to(table.before(end));
-  return sum;
-}
-
-/// What a continued recurrence would change by the end if the input were a step, which is more than at any
-/// time before, times all that the input goes up and down; the bound where the recurrence is not regular.
-double DrivenLanczosPropagator::estimate(const Input& input) const {
-  constexpr double safety = 3;
-  const auto& space = input.space;
-  const double bound = space.bound_at(stretch()) * input.largest * rms_over_norm();
-  const auto continued = space.continued();
-  if (!continued) return bound;
-  const std::size_t m = space.dimension();
-  const double time[] = {stretch()};
-  const auto now = tridiagonal_responses(space.alpha(), space.beta().first(m - 1), time).front().value;
-  const auto later = tridiagonal_responses(continued->alpha, continued->beta, time).front().value;
-  double square = 0;
-  for (std::size_t j = 0; j < later.size(); ++j) {
-    const double change = later[j] - (j < m ? now[j] : 0.0);
-    square += change * change;
-  }
-  return std::min(bound, safety * space.length() * std::sqrt(square) * input.variation * rms_over_norm());
+  const auto [low, high] = table.range(now(), end);
+  return {.largest = std::max(high - start, start - low), .variation = sum};
 }
 
 /// Until the space holds what its input does by the end of the run.
@@ -106,37 +86,20 @@ Outcome DrivenLanczosPropagator::grow(Input& input) {
   space.open(stretch(), plan().track_inflow, [&](std::span<double> first) {
     if (!input.shape.table) return rhs()(now(), origin(), first);
     std::fill(first.begin(), first.end(), 0.0);
-    for (const auto& rate : input.shape.rates) first[at(rate.entry)] = rate.rate;
+    for (const auto& rate : input.shape.rates) first[at(rate.entry)] += rate.rate;
   });
   input.reported = 0;
-  input.largest = 1;
-  if (const auto* table = input.shape.table) {
-    const auto [low, high] = table->range(now(), now() + stretch());
-    const double start = table->at(now());
-    input.largest = std::max(high - start, start - low);
-  }
-  input.variation = variation_of(input);
+  input.size = size_of(input);
   const double share = allowed() / static_cast<double>(inputs_.size());
-  constexpr double first_look = 5e3;  // times the tolerance: how much the bound may be too large
-  double looseness = first_look;
-  while (!space.is_whole() && input.largest > 0) {
-    const double bound = space.dimension() == 0 ? std::numeric_limits<double>::infinity()
-                                                : space.bound_at(stretch()) * input.largest * rms_over_norm();
-    if (bound <= share) break;
-    if (bound <= looseness * share) {
-      const double found = estimate(input);
-      if (found <= share) break;
-      looseness = std::min(0.5 * bound / share, found < bound ? bound / found : looseness);
-    }
-    if (++vectors_ > most_vectors_)
-      return {Status::failed, fmt::format("{} Lanczos vectors do not hold what the inputs do; give them more "
-                                          "memory, or use basis=chebyshev",
-                                          most_vectors_)};
-    if (stop_requested()) return interrupted_at(now());
-    space.add_vector();
-  }
+  const auto growth =
+      space.grow(stretch(), share / rms_over_norm(), input.size, most_vectors_ - vectors_, plan().stop);
+  vectors_ += space.dimension();
   count_terms(space.dimension());
-  return {};
+  if (growth == LanczosSpace::Growth::stopped) return interrupted_at(now());
+  if (growth == LanczosSpace::Growth::covers) return {};
+  return {Status::failed, fmt::format("{} Lanczos vectors do not hold what the inputs do; give them more "
+                                      "memory, or use basis=chebyshev",
+                                      most_vectors_)};
 }
 
 void DrivenLanczosPropagator::add_responses(Input& input, std::span<Output> outputs) {
@@ -170,7 +133,7 @@ void DrivenLanczosPropagator::report(Input& input, double elapsed, double integr
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
   const auto& space = input.space;
   const double rounding = roundings * rhs().spectral_bound(now(), origin()) * space.length() * integral;
-  const double reached = (space.bound_at(elapsed) * input.largest + rounding) * rms_over_norm();
+  const double reached = (space.bound_at(elapsed, input.size.largest) + rounding) * rms_over_norm();
   if (!(reached < span())) return give_up_bound();
   if (reached > input.reported) add_bound((reached - std::exchange(input.reported, reached)) / span());
 }

@@ -35,16 +35,15 @@ class DrivenLanczosPropagator final : public InstantBatch {
     LanczosSpace space;
     InputShape shape;
     double inflow_rate = 0;                   ///< W or A for a unit
-    double largest = 0;                       ///< of its change since the start, up to the end of the run
-    double variation = 0;                     ///< all its ups and downs until then
+    LanczosSpace::Input size{};               ///< of its change since the start, up to the end of the run
     double reported = 0;                      ///< bound of its error that has been counted [K or V]
     std::vector<TridiagonalInput> changes{};  ///< as seen from the instant that is looked at
   };
   /// The changes of an input before the time `t` [s], the last one first.
   void look_back(Input& input, double t) const;
   [[nodiscard]] Outcome grow(Input& input);
-  [[nodiscard]] double variation_of(const Input& input) const;
-  [[nodiscard]] double estimate(const Input& input) const;
+  /// How large an input gets, and how far it goes up and down in all, until the end of the run.
+  [[nodiscard]] LanczosSpace::Input size_of(const Input& input) const;
   void add_responses(Input& input, std::span<Output> outputs);
   void report(Input& input, double elapsed, double integral);
 

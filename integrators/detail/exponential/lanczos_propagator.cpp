@@ -48,24 +48,6 @@ void LanczosPropagator::open_space() {
   rate_of_inflow_ = plan().track_inflow ? rhs().inflow(t, start_) : 0;
 }
 
-/// The bound takes what the residual leaves for undamped, and where it oscillates from node to node it is a
-/// hundred times too large: see LanczosSpace::continued.
-double LanczosPropagator::estimate_at(double elapsed) const {
-  constexpr double safety = 3;
-  const auto continued = space_->continued();
-  if (!continued) return bound_at(elapsed);
-  const std::size_t m = space_->dimension();
-  const double time[] = {elapsed};
-  const auto now = tridiagonal_responses(space_->alpha(), space_->beta().first(m - 1), time).front().value;
-  const auto later = tridiagonal_responses(continued->alpha, continued->beta, time).front().value;
-  double square = 0;
-  for (std::size_t j = 0; j < later.size(); ++j) {
-    const double change = later[j] - (j < m ? now[j] : 0.0);
-    square += change * change;
-  }
-  return std::min(bound_at(elapsed), safety * space_->length() * std::sqrt(square) * rms_over_norm());
-}
-
 /// Longest time that the present space covers, of `longest` to the end, for its share of the error.
 double LanczosPropagator::time_covered(double longest) const {
   double low = 0, high = longest;
@@ -140,27 +122,12 @@ Outcome LanczosPropagator::restart_at(double covered, double error) {
   return {};
 }
 
-/// Adds vectors until the space covers `elapsed`, is exhausted, or is as large as it may be.
+/// Adds vectors until the space covers `elapsed` or is as large as it may be.
 Outcome LanczosPropagator::grow(double elapsed) {
-  constexpr double first_look = 5e3;  // times the tolerance: how much the bound may be too large
-  double looseness = first_look;      // bound over estimate, as last seen
-  covered_ = false;
-  while (true) {
-    const double bound = bound_at(elapsed);
-    if (bound <= unspent_) covered_ = true;
-    if (!covered_ && bound <= looseness * unspent_) {
-      const double estimate = estimate_at(elapsed);
-      covered_ = estimate <= unspent_;
-      // The next look is where both will have fallen enough; soon, where the bound stood for the estimate.
-      const double soon = 0.5 * bound / unspent_;
-      looseness = estimate < bound ? std::min(bound / estimate, soon) : soon;
-    }
-    if (covered_ || space_->is_whole() || space_->dimension() == most_vectors_) break;
-    if (stop_requested()) return interrupted_at(now() + offset_);
-    space_->add_vector();
-  }
+  const auto growth = space_->grow(elapsed, unspent_ / rms_over_norm(), {}, most_vectors_, plan().stop);
+  covered_ = growth == LanczosSpace::Growth::covers;
   count_terms(space_->dimension());
-  return stop_requested() ? interrupted_at(now() + offset_) : Outcome{};
+  return growth == LanczosSpace::Growth::stopped ? interrupted_at(now() + offset_) : Outcome{};
 }
 
 Outcome LanczosPropagator::propagate(std::span<Output> outputs) {

@@ -34,7 +34,9 @@ class LanczosPropagator final : public InstantBatch {
   void open_space();
   /// rms error after `elapsed` in the present space [K or V]: an upper bound, and what it will be.
   [[nodiscard]] double bound_at(double elapsed) const { return space_->bound_at(elapsed) * rms_over_norm(); }
-  [[nodiscard]] double estimate_at(double elapsed) const;
+  [[nodiscard]] double estimate_at(double elapsed) const {
+    return space_->estimate_at(elapsed, {}) * rms_over_norm();
+  }
   [[nodiscard]] double time_covered(double longest) const;
   [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients) const;
   void evaluate(std::span<Output> outputs);

@@ -8,6 +8,7 @@
 namespace superstep {
 
 void ScaledJacobian::prepare(Rhs& rhs, const Task& task) {
+  rhs_ = &rhs;
   const std::size_t n = rhs.size();
   for (auto* v : {&scale_, &inverse_, &diagonal_}) v->assign(n, 0.0);
   const auto capacity = rhs.capacities();
@@ -48,11 +49,11 @@ void ScaledJacobian::prepare(Rhs& rhs, const Task& task) {
   is_set_ = false;
 }
 
-void ScaledJacobian::set(Rhs& rhs, double t, std::span<const double> y) {
-  if (is_set_ && rhs.traits().constant_jacobian) return;
+void ScaledJacobian::set(double t, std::span<const double> y) {
+  if (is_set_ && rhs_->traits().constant_jacobian) return;
   is_set_ = true;
-  rhs.jacobian(t, y, value_);
-  const auto& pattern = rhs.pattern();
+  rhs_->jacobian(t, y, value_);
+  const auto& pattern = rhs_->pattern();
   rows_.set_values(row_begin_, [&](std::size_t i, std::size_t k) {
     return value_[static_cast<std::size_t>(position_[k])] * scale_[i] *
            inverse_[static_cast<std::size_t>(column_[k])];
@@ -67,10 +68,10 @@ void ScaledJacobian::set(Rhs& rhs, double t, std::span<const double> y) {
   });
 }
 
-double ScaledJacobian::multiply(const Reduction& reduction, const double* v, const double* other,
-                                double* out) const {
+double ScaledJacobian::multiply(const double* v, const double* other, double* out) {
+  rhs_->count_product();
   fused_sweep(rows_, {.y1 = v, .a = 0, .d = 1}, out);
-  return reduction.sum([&](std::size_t i) {
+  return rhs_->reduction().sum([&](std::size_t i) {
     out[i] += diagonal_[i] * v[i];
     return out[i] * other[i];
   });

@@ -18,15 +18,16 @@ class ScaledJacobian {
  public:
   void prepare(Rhs& rhs, const Task& task);
   /// Takes the Jacobian at (t, y); a constant one only once.
-  void set(Rhs& rhs, double t, std::span<const double> y);
+  void set(double t, std::span<const double> y);
 
   /// out = S v, and the sum over all entries of out times `other`.
-  double multiply(const Reduction& reduction, const double* v, const double* other, double* out) const;
+  double multiply(const double* v, const double* other, double* out);
 
   [[nodiscard]] std::span<const double> scale() const noexcept { return scale_; }      ///< D
   [[nodiscard]] std::span<const double> inverse() const noexcept { return inverse_; }  ///< D^-1
 
  private:
+  Rhs* rhs_ = nullptr;
   StateVector scale_, inverse_, diagonal_;
   std::vector<double> value_;  ///< [nnz] of the Rhs' pattern
   std::vector<std::int64_t> row_begin_;

@@ -5,8 +5,8 @@
 
 namespace superstep {
 
-void KrylovSpace::prepare(const Rhs& rhs, const ErrorNorm& norm, const ScaledJacobian& jacobian,
-                          std::size_t most, std::size_t depth) {
+void KrylovSpace::prepare(const Rhs& rhs, const ErrorNorm& norm, ScaledJacobian& jacobian, std::size_t most,
+                          std::size_t depth) {
   reduction_ = &rhs.reduction();
   norm_ = &norm;
   jacobian_ = &jacobian;
@@ -38,7 +38,7 @@ void KrylovSpace::extend() {
   if (basis_.size() <= j + 1) basis_.emplace_back(reduction_->size());
   StateVector& w = basis_[j + 1];
   const std::size_t first = j + 1 > depth_ ? j + 1 - depth_ : 0;
-  double part = jacobian_->multiply(*reduction_, basis_[j].data(), basis_[first].data(), w.data());
+  double part = jacobian_->multiply(basis_[j].data(), basis_[first].data(), w.data());
   double square = 0;
   for (std::size_t i = first; i <= j; ++i) {
     matrix_.at(i, j) = part;

@@ -16,7 +16,7 @@ namespace superstep {
 class KrylovSpace {
  public:
   ///   most   vectors that the space may have;  depth  that a new one is made orthogonal to
-  void prepare(const Rhs& rhs, const ErrorNorm& norm, const ScaledJacobian& jacobian, std::size_t most,
+  void prepare(const Rhs& rhs, const ErrorNorm& norm, ScaledJacobian& jacobian, std::size_t most,
                std::size_t depth);
 
   /// Starts a space from b. Nothing is multiplied yet.
@@ -56,7 +56,7 @@ class KrylovSpace {
 
   const Reduction* reduction_ = nullptr;
   const ErrorNorm* norm_ = nullptr;
-  const ScaledJacobian* jacobian_ = nullptr;
+  ScaledJacobian* jacobian_ = nullptr;
   std::size_t most_ = 0, depth_ = 2;
   std::vector<StateVector> basis_;    ///< grows when first needed
   std::vector<double> part_in_norm_;  ///< [vectors] rms of D^-1 v in units of the tolerance, < 0 = not known

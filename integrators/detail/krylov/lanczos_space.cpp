@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
 
 namespace superstep {
 namespace {
@@ -47,9 +48,48 @@ void LanczosSpace::add_vector() {
   if (tracks_inflow_) inflow_.push_back(rhs_->linear_inflow({now, next.size()}) / norm_[j]);
 }
 
-double LanczosSpace::bound_at(double elapsed) const {
+double LanczosSpace::bound_at(double elapsed, double largest) const {
+  if (dimension() == 0) return length() * elapsed * largest;  // nothing is done yet
   const double residual = norm_.front() * norm_.back();
-  return residual > 0 ? std::exp(std::log(residual) + bound_.log_integral(elapsed)) : 0;
+  return residual > 0 ? largest * std::exp(std::log(residual) + bound_.log_integral(elapsed)) : 0;
+}
+
+double LanczosSpace::estimate_at(double elapsed, const Input& input) const {
+  constexpr double safety = 3;
+  const double bound = bound_at(elapsed, input.largest);
+  const auto more = continued();
+  if (!more) return bound;
+  const std::size_t m = dimension();
+  const double time[] = {elapsed};
+  const auto now = tridiagonal_responses(alpha(), beta().first(m - 1), time).front().value;
+  const auto later = tridiagonal_responses(more->alpha, more->beta, time).front().value;
+  double square = 0;
+  for (std::size_t j = 0; j < later.size(); ++j) {
+    const double change = later[j] - (j < m ? now[j] : 0.0);
+    square += change * change;
+  }
+  return std::min(bound, safety * length() * std::sqrt(square) * input.variation);
+}
+
+LanczosSpace::Growth LanczosSpace::grow(double elapsed, double allowed, const Input& input, std::size_t most,
+                                        const std::atomic<bool>* stop) {
+  constexpr double first_look = 5e3;  // times the tolerance: how much the bound may be too large
+  double looseness = first_look;      // bound over estimate, as last seen
+  while (!is_whole()) {
+    const double bound = bound_at(elapsed, input.largest);
+    if (bound <= allowed) break;
+    if (bound <= looseness * allowed) {
+      const double estimate = estimate_at(elapsed, input);
+      if (estimate <= allowed) break;
+      // The next look is where both will have fallen enough; soon, where the bound stood for the estimate.
+      const double soon = 0.5 * bound / allowed;
+      looseness = estimate < bound ? std::min(bound / estimate, soon) : soon;
+    }
+    if (dimension() == most) return Growth::full;
+    if (stop && stop->load()) return Growth::stopped;
+    add_vector();
+  }
+  return Growth::covers;
 }
 
 std::optional<LanczosSpace::Continued> LanczosSpace::continued() const {

@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/text/toml.hpp"
 
 namespace superstep {
 namespace {
 
-constexpr double smallest = 1e-40, largest = 1e40;
+constexpr double smallest = 1 / largest_number, largest = largest_number;
 
 bool is_workable(double value) noexcept {
   return value >= smallest && value <= largest;

@@ -19,8 +19,6 @@ namespace {
 constexpr std::size_t largest_case_file = 4u
                                           << 20;  // bytes; a case names its data files, it does not hold them
 
-constexpr double largest_case_number = 1e40;
-
 std::string place(const std::string& file, const toml::node& node) {
   return fmt::format("{}:{}", file, node.source().begin.line);
 }
@@ -152,9 +150,9 @@ double TomlValue::number() const {
   const double value = is_integer() ? static_cast<double>(node_->node->as_integer()->get())
                                     : node_->node->as_floating_point()->get();
   if (!std::isfinite(value)) reject("it must be finite");
-  if (std::abs(value) > largest_case_number)
+  if (std::abs(value) > largest_number)
     reject(fmt::format("it must not exceed {:g} in size, beyond which nothing can be computed with",
-                       largest_case_number));
+                       largest_number));
   return value;
 }
 

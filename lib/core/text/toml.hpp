@@ -14,6 +14,9 @@ namespace superstep {
 class TomlTable;
 
 /// One value of a case file with its place. Conversions throw InputError when the type is another one.
+/// In size, of any number that may be computed with: squares of what solvers form of them still fit.
+inline constexpr double largest_number = 1e40;
+
 class TomlValue {
  public:
   [[nodiscard]] bool is_number() const noexcept;

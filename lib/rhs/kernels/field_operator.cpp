@@ -65,10 +65,10 @@ FieldOperator::FieldOperator(Network network)
 void FieldOperator::set_conductances(std::span<const double> edges, std::span<const double> ghost_edges) {
   if (edges.data() != network_.conductance.data())
     std::copy(edges.begin(), edges.end(), network_.conductance.begin());
+  for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
   rate_.set_values(network_.row_begin, [this](std::size_t row, std::size_t k) {
     return network_.conductance[k] / network_.capacity[row];
   });
-  for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
   ghosts_.clear();
   for (const auto& edge : network_.ghost_edges)
     ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});

@@ -60,15 +60,15 @@ SUPERSTEP_INLINE void law_pack(const ConductivityLaw& law, double floor,
       return;
     }
     case ConductivityLaw::Kind::table: {
-      // What each segment adds up to here: all of it, a part, or nothing.
+      // The last segment that begins below, so that large values elsewhere cost small ones no digits.
       out = Pack{} + law.values.front();
       for (std::size_t k = 0; k + 1 < law.values.size(); ++k) {
         const double length = law.temperatures[k + 1] - law.temperatures[k];
-        Pack part = t - law.temperatures[k];
-        part = part > 0.0 ? part : Pack{};
-        part = part < length ? part : Pack{} + length;
-        out += (law.values[k + 1] - law.values[k]) / length * part;
+        const Pack line =
+            law.values[k] + (law.values[k + 1] - law.values[k]) / length * (t - law.temperatures[k]);
+        out = t >= law.temperatures[k] ? line : out;
       }
+      out = t >= law.temperatures.back() ? Pack{} + law.values.back() : out;
       return;
     }
     case ConductivityLaw::Kind::sigmoid: {
@@ -132,10 +132,8 @@ constexpr std::size_t most_segments = 32;
 }  // namespace
 
 std::span<const LawKernel> law_kernels() noexcept {
-  static const auto sets = instruction_sets();
-  static const std::array<LawKernel, 3> list = {kernel_of(sets.list[0]), kernel_of(sets.list[1]),
-                                                kernel_of(sets.list[2])};
-  return std::span(list).first(sets.count);
+  static const KernelList<LawKernel> kernels(kernel_of);
+  return kernels.all();
 }
 
 void law_values(const ConductivityLaw& law, std::span<const double> temperature, std::span<double> out) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 // One text, compiled for each instruction set: inlined into functions with a `target` of their own.
 #define SUPERSTEP_INLINE [[gnu::always_inline]] inline
@@ -56,5 +57,20 @@ struct InstructionSets {
   out.list[out.count++] = InstructionSet::baseline;
   return out;
 }
+
+/// The kernels of one kind, best first, for every instruction set that this machine can run.
+template <class Kernel>
+class KernelList {
+ public:
+  explicit KernelList(Kernel (*of)(InstructionSet) noexcept) {
+    const auto sets = instruction_sets();
+    for (count_ = 0; count_ < sets.count; ++count_) list_[count_] = of(sets.list[count_]);
+  }
+  [[nodiscard]] std::span<const Kernel> all() const noexcept { return std::span(list_).first(count_); }
+
+ private:
+  std::array<Kernel, 3> list_{};
+  std::size_t count_ = 0;
+};
 
 }  // namespace superstep

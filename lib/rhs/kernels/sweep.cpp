@@ -1,13 +1,10 @@
 #include "rhs/kernels/sweep.hpp"
 
-#include "rhs/kernels/packs.hpp"
+#include "rhs/kernels/stage_kernel.hpp"
 
 namespace superstep {
 namespace {
 
-// Distances that pay beyond the cache on the processors measured (AMD Zen 5): processors stop prefetching at
-// the end of a page, so entries are asked for a page ahead.
-constexpr std::int64_t entries_ahead = 512;
 constexpr std::size_t nodes_ahead = 64;
 
 /// Asks for what slices further on will read: entries, and the first touch of a neighbour's value, which
@@ -46,11 +43,7 @@ SUPERSTEP_INLINE void sweep_rows(const SlicedRows& rate, const Stage& stage, std
       const auto entry = k + static_cast<std::int64_t>(row % lanes);
       flux += rate.value()[entry] * (y[rate.column()[entry]] - y[row]);
     }
-    double value = stage.a * y[row] + stage.d * flux;
-    if (stage.y2) value += stage.b * stage.y2[row];
-    if (stage.y0) value += stage.c * stage.y0[row];
-    if (stage.f0) value += stage.e * stage.f0[row];
-    out[row] = value;
+    write_row(stage, y[row], flux, row, out);
   }
 }
 
@@ -78,17 +71,7 @@ SUPERSTEP_INLINE void sweep_slices(const SlicedRows& rate, const Stage& stage, s
         flux[p] += factor * (other - own[p]);
       }
     }
-    for (std::size_t p = 0; p < packs; ++p) {
-      Pack value = stage.a * own[p] + stage.d * flux[p], term;
-      const auto add = [&](double factor, const double* vector) __attribute__((always_inline)) {
-        std::memcpy(&term, vector + row + p * width, sizeof(Pack));
-        value += factor * term;
-      };
-      if (stage.y2) add(stage.b, stage.y2);
-      if (stage.y0) add(stage.c, stage.y0);
-      if (stage.f0) add(stage.e, stage.f0);
-      std::memcpy(out + row + p * width, &value, sizeof(Pack));
-    }
+    for (std::size_t p = 0; p < packs; ++p) write_rows<width>(stage, own[p], flux[p], row + p * width, out);
   }
   if (whole < last) sweep_rows(rate, stage, whole, out);
 }
@@ -175,10 +158,8 @@ SweepKernel kernel_of(InstructionSet set) noexcept {
 }  // namespace
 
 std::span<const SweepKernel> sweep_kernels() noexcept {
-  static const auto sets = instruction_sets();
-  static const std::array<SweepKernel, 3> list = {kernel_of(sets.list[0]), kernel_of(sets.list[1]),
-                                                  kernel_of(sets.list[2])};
-  return std::span(list).first(sets.count);
+  static const KernelList<SweepKernel> kernels(kernel_of);
+  return kernels.all();
 }
 
 void fused_sweep(const SlicedRows& rate, const Stage& stage, std::size_t first, std::size_t last,

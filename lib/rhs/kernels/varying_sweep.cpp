@@ -1,12 +1,11 @@
 #include "rhs/kernels/varying_sweep.hpp"
 
-#include "rhs/kernels/packs.hpp"
+#include "rhs/kernels/stage_kernel.hpp"
 
 namespace superstep {
 namespace {
 
 constexpr std::size_t lanes = SlicedRows::lanes;
-constexpr std::int64_t entries_ahead = 512;  // see sweep.cpp
 
 /// A value and its s in one register.
 typedef double PairPack __attribute__((vector_size(2 * sizeof(double))));
@@ -109,11 +108,7 @@ SUPERSTEP_INLINE void sweep_rows(const SlicedRows& geometry, const NodePair* nod
       Mean::conductance(geometry.value()[entry], own.s, other.s, conductance);
       flux += conductance * (other.value - own.value);
     }
-    double value = stage.a * own.value + stage.d * flux;
-    if (stage.y2) value += stage.b * stage.y2[row];
-    if (stage.y0) value += stage.c * stage.y0[row];
-    if (stage.f0) value += stage.e * stage.f0[row];
-    out[row] = value;
+    write_row(stage, own.value, flux, row, out);
   }
 }
 
@@ -141,17 +136,7 @@ SUPERSTEP_INLINE void sweep_slices(const SlicedRows& geometry, const NodePair* n
         flux[p] += conductance * (other - own[p]);
       }
     }
-    for (std::size_t p = 0; p < packs; ++p) {
-      Pack value = stage.a * own[p] + stage.d * flux[p], term;
-      const auto add = [&](double factor, const double* vector) __attribute__((always_inline)) {
-        std::memcpy(&term, vector + row + p * width, sizeof(Pack));
-        value += factor * term;
-      };
-      if (stage.y2) add(stage.b, stage.y2);
-      if (stage.y0) add(stage.c, stage.y0);
-      if (stage.f0) add(stage.e, stage.f0);
-      std::memcpy(out + row + p * width, &value, sizeof(Pack));
-    }
+    for (std::size_t p = 0; p < packs; ++p) write_rows<width>(stage, own[p], flux[p], row + p * width, out);
   }
   if (whole < last) sweep_rows<Mean>(geometry, nodes, stage, whole, out);
 }
@@ -247,10 +232,8 @@ VaryingKernel kernel_of(InstructionSet set) noexcept {
 }  // namespace
 
 std::span<const VaryingKernel> varying_kernels() noexcept {
-  static const auto sets = instruction_sets();
-  static const std::array<VaryingKernel, 3> list = {kernel_of(sets.list[0]), kernel_of(sets.list[1]),
-                                                    kernel_of(sets.list[2])};
-  return std::span(list).first(sets.count);
+  static const KernelList<VaryingKernel> kernels(kernel_of);
+  return kernels.all();
 }
 
 void varying_sweep(ConductanceMean mean, const SlicedRows& geometry, const NodePair* nodes,
