@@ -10,6 +10,7 @@
 #include "bench/harness/work_precision.hpp"
 #include "bench/host/terminal.hpp"
 #include "packing/generate.hpp"
+#include "packing/read_options.hpp"
 
 namespace superstep {
 
@@ -50,9 +51,27 @@ struct WorkPrecisionCommand {
   bool report = false;  ///< write report.html as well
 };
 
+/// What the command line says about a packing file and its material, instead of a case.
+struct FileOptions {
+  PackingOptions reading;
+  std::string length_unit;  ///< as it was given; empty = not
+  char axis = 0;            ///< 'x', 'y', 'z'; 0 = the longest open one
+  std::string neck;         ///< law; empty = hertz
+  std::optional<double> conductivity, density, specific_heat;
+};
+
 struct InfoCommand {
   CommonOptions common;
-  std::string case_file;
+  std::string case_file;  ///< or a packing or network file
+  FileOptions file;
+  std::string matrix;  ///< folder that the system is written to; empty = none
+};
+
+/// superstep init
+struct InitCommand {
+  CommonOptions common;
+  std::string packing_file, case_file;
+  FileOptions file;
 };
 
 struct StabilityCommand {
@@ -102,15 +121,16 @@ struct ShowText {
   std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand, GateCommand,
-                 CompareCommand, PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
+using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, InitCommand,
+                             StabilityCommand, GateCommand, CompareCommand, PackCommand, ListCommand,
+                             ReportCommand, CompletionCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
 int execute(const BenchCommand& command);
 int execute(const WorkPrecisionCommand& command);
 int execute(const InfoCommand& command);
+int execute(const InitCommand& command);
 int execute(const StabilityCommand& command);
 int execute(const GateCommand& command);
 int execute(const CompareCommand& command);

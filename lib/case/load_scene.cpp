@@ -5,6 +5,8 @@
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/materials.hpp"
+#include "case/network/read_direct_network.hpp"
+#include "case/packed/assign_materials.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
 #include "case/read_packing_scene.hpp"
@@ -35,26 +37,6 @@ void read_published(TomlTable& root, Scene& scene) {
   if (!published) return;
   for (const auto& figure : figures)
     if (const auto value = published->number(figure)) scene.published[figure] = *value;
-}
-
-void read_direct_network(TomlTable& root, TomlTable& network, Scene& scene) {
-  for (const char* other :
-       {"packing", "material", "materials", "interfaces", "contact", "thermal", "electric", "coupling"})
-    if (const auto value = root.find(other))
-      value->reject("a case with [network] gives nodes and edges directly; remove this, or remove [network]");
-  FieldScene field;
-  const auto name = network.string("field").value_or("temperature");
-  if (name != "temperature" && name != "potential")
-    network.require("field", "").reject("it must be \"temperature\" or \"potential\"");
-  const FieldKind& kind = name == "potential" ? electric_kind() : thermal_kind();
-  field.name = kind.name;
-  field.unit = kind.unit;
-  const auto nodes =
-      network.require("nodes", "it names a CSV with id,capacity,source,initial,fixed").string();
-  const auto edges = network.require("edges", "it names a CSV with i,j,conductance").string();
-  field.graph = read_graph(beside_case(root.file(), nodes), beside_case(root.file(), edges));
-  field.bare = field.graph.conductance;
-  scene.fields.push_back(std::move(field));
 }
 
 bool is_steady(TomlTable& electric) {
@@ -96,6 +78,8 @@ Coupling read_particles(TomlTable& root, Scene& scene) {
   if (!thermal && !electric)
     root.missing("thermal", "neither [thermal] nor [electric] is there; give one field to integrate");
   PackingInput input = read_packing_scene(root);
+  input.t_end = scene.t_end;
+  assign_materials(root, input.unit, input.scene.packing);
   Materials materials(root, input.scene.packing);
   Coupling coupling = read_coupling(root, thermal && electric);
   if (electric) {
@@ -137,9 +121,13 @@ Scene load_scene(TomlTable root) {
   require_laws_to_hold(scene);
   build_rhs(scene.file, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);
-  scene.warnings = range_warnings(scene);
+  const auto ranges = range_warnings(scene);
+  scene.warnings.insert(scene.warnings.end(), ranges.begin(), ranges.end());
   if (scene.packed && !scene.packed->packing.frame.empty())
     scene.warnings.push_back(fmt::format("the packing is {} of its file", scene.packed->packing.frame));
+  if (scene.packed)
+    scene.warnings.insert(scene.warnings.end(), scene.packed->packing.warnings.begin(),
+                          scene.packed->packing.warnings.end());
   for (const auto& field : scene.fields)
     scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
   return scene;
@@ -155,6 +143,7 @@ std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::spa
                    : graph.is_fixed[node] ? graph.fixed_at(node, t)
                                           : graph.initial[node];
   }
+  recover_algebraic_values(fields[field].algebraic, graph, t, values);
   return values;
 }
 

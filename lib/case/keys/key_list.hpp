@@ -33,6 +33,8 @@ class KeyList {
 
   /// A number or a table of time.
   void amount(const std::string& name, const std::string& unit, const std::string& meaning);
+  /// Values at the start: a number or a column.
+  void initial(const std::string& unit, const std::string& meaning, unsigned other_types = 0);
   /// A selection of particles.
   void where(const std::string& name);
   /// A number or a law of temperature.
