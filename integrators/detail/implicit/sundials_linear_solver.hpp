@@ -1,5 +1,5 @@
 #pragma once
-/// The linear solvers that CVODE can be given for I - gamma J.
+/// The linear solvers that the integrators of SUNDIALS can be given for I - gamma J.
 
 #include <memory>
 #include <string>
@@ -9,20 +9,26 @@
 
 namespace superstep {
 
-/// One kind of linear solver with everything that CVODE's callbacks need.
-class CvodeLinearSolver {
+/// The package that an integrator is of; each has names of its own for the same calls.
+enum class SundialsPackage { cvode, arkode };
+
+/// One kind of linear solver with everything that callbacks need.
+class SundialsLinearSolver {
  public:
-  virtual ~CvodeLinearSolver() = default;
-  /// Attaches itself to an initialised CVODE whose user data begin with a CvodeCallbackData. Throws on
-  /// failure.
-  virtual void attach(void* cvode) = 0;
+  virtual ~SundialsLinearSolver() = default;
+  /// Attaches itself to an initialised integrator whose user data begin with a SundialsCallbackData. Throws
+  /// on failure.
+  virtual void attach(SundialsPackage package, void* integrator) = 0;
+  /// Makes I - gamma J at (t, y) ready; 0 = it is, > 0 = a smaller step may help.
+  virtual int linear_system(double t, N_Vector y, SUNMatrix matrix, booleantype jacobian_ok,
+                            booleantype* jacobian_new, double gamma) noexcept;
 };
 
-/// What CVODE hands to callbacks as user data.
-struct CvodeCallbackData {
+/// What SUNDIALS hands to callbacks as user data.
+struct SundialsCallbackData {
   Rhs* rhs = nullptr;
   void* integrator = nullptr;
-  CvodeLinearSolver* linear_solver = nullptr;
+  SundialsLinearSolver* linear_solver = nullptr;
 };
 
 /// Throws std::runtime_error when a SUNDIALS call returned an error flag.
@@ -31,9 +37,9 @@ void check_sundials(int flag, const char* what);
 /// `klu` with an ordering (metis, amd, colamd); `cholmod`: Cholesky; `pcg`: conjugate gradients in the
 /// capacity inner product; `gmres`: SUNDIALS' SPGMR; the last two preconditioned by incomplete Cholesky.
 /// Throws Refused.
-[[nodiscard]] std::unique_ptr<CvodeLinearSolver> make_cvode_linear_solver(const std::string& kind,
-                                                                          const std::string& ordering,
-                                                                          Rhs& rhs, N_Vector y,
-                                                                          SUNContext context);
+[[nodiscard]] std::unique_ptr<SundialsLinearSolver> make_sundials_linear_solver(const std::string& kind,
+                                                                                const std::string& ordering,
+                                                                                Rhs& rhs, N_Vector y,
+                                                                                SUNContext context);
 
 }  // namespace superstep
