@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "bench/harness/corpus/corpus_sweep.hpp"
 #include "bench/harness/harness.hpp"
 #include "bench/harness/work_precision.hpp"
 #include "bench/host/terminal.hpp"
@@ -48,6 +49,16 @@ struct WorkPrecisionCommand {
   WorkPrecisionOptions options;
   std::string out;      ///< folder; empty = default_output_folder
   bool report = false;  ///< write report.html as well
+};
+
+/// superstep bench --corpus
+struct CorpusCommand {
+  CommonOptions common;
+  std::string corpus;  ///< a set, or a folder of cases
+  CorpusOptions options;
+  std::string out;        ///< folder; empty = default_output_folder
+  bool report = false;    ///< write report.html as well
+  bool markdown = false;  ///< tables in Markdown
 };
 
 struct InfoCommand {
@@ -102,14 +113,15 @@ struct ShowText {
   std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, StabilityCommand, GateCommand,
-                 CompareCommand, PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
+using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, CorpusCommand, InfoCommand,
+                             StabilityCommand, GateCommand, CompareCommand, PackCommand, ListCommand,
+                             ReportCommand, CompletionCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
 int execute(const BenchCommand& command);
 int execute(const WorkPrecisionCommand& command);
+int execute(const CorpusCommand& command);
 int execute(const InfoCommand& command);
 int execute(const StabilityCommand& command);
 int execute(const GateCommand& command);

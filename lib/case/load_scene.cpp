@@ -7,6 +7,7 @@
 #include "case/materials.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
+#include "case/read_network_scene.hpp"
 #include "case/read_packing_scene.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
@@ -21,7 +22,7 @@ constexpr double default_resolve_change = 1e-6;
 /// A misspelt table is said first: what follows would only miss it.
 void require_known_tables(TomlTable& root) {
   for (const char* key :
-       {"title", "source", "t_end", "output_times", "probe", "bench", "published", "network", "packing",
+       {"title", "source", "t_end", "output_times", "probe", "bench", "corpus", "published", "network", "packing",
         "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
     (void)root.find(key);
   root.finish();
@@ -35,26 +36,6 @@ void read_published(TomlTable& root, Scene& scene) {
   if (!published) return;
   for (const auto& figure : figures)
     if (const auto value = published->number(figure)) scene.published[figure] = *value;
-}
-
-void read_direct_network(TomlTable& root, TomlTable& network, Scene& scene) {
-  for (const char* other :
-       {"packing", "material", "materials", "interfaces", "contact", "thermal", "electric", "coupling"})
-    if (const auto value = root.find(other))
-      value->reject("a case with [network] gives nodes and edges directly; remove this, or remove [network]");
-  FieldScene field;
-  const auto name = network.string("field").value_or("temperature");
-  if (name != "temperature" && name != "potential")
-    network.require("field", "").reject("it must be \"temperature\" or \"potential\"");
-  const FieldKind& kind = name == "potential" ? electric_kind() : thermal_kind();
-  field.name = kind.name;
-  field.unit = kind.unit;
-  const auto nodes =
-      network.require("nodes", "it names a CSV with id,capacity,source,initial,fixed").string();
-  const auto edges = network.require("edges", "it names a CSV with i,j,conductance").string();
-  field.graph = read_graph(beside_case(root.file(), nodes), beside_case(root.file(), edges));
-  field.bare = field.graph.conductance;
-  scene.fields.push_back(std::move(field));
 }
 
 bool is_steady(TomlTable& electric) {
@@ -129,7 +110,7 @@ Scene load_scene(TomlTable root) {
   const auto probe = root.find("probe");
   Coupling coupling;
   if (auto network = root.table("network"))
-    read_direct_network(root, *network, scene);
+    read_network_scene(root, *network, scene);
   else
     coupling = read_particles(root, scene);
   root.finish();

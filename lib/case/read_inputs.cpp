@@ -12,12 +12,6 @@ namespace {
 constexpr double stefan_boltzmann = 5.670374419e-8;  // W/(m^2 K^4), CODATA 2018
 constexpr double suspiciously_cold = 100;            // K
 
-/// A number, or a table of time that the graph keeps.
-struct Amount {
-  double value = 0;         ///< at t = 0
-  std::int32_t table = -1;  ///< index into the graph's tables
-};
-
 /// Two equal neighbours are a step; a third value at the same instant would have no meaning.
 void require_ascending(const TomlValue& times, const std::vector<double>& time) {
   for (std::size_t k = 1; k < time.size(); ++k) {
@@ -30,6 +24,8 @@ void require_ascending(const TomlValue& times, const std::vector<double>& time) 
           time[k]));
   }
 }
+
+}  // namespace
 
 Amount read_amount(const TomlValue& amount, Graph& graph) {
   if (!amount.is_table()) return {amount.number(), -1};
@@ -44,6 +40,8 @@ Amount read_amount(const TomlValue& amount, Graph& graph) {
   graph.tables.push_back(std::move(out));
   return {graph.tables.back().at(0), static_cast<std::int32_t>(graph.tables.size()) - 1};
 }
+
+namespace {
 
 /// Calls each(particle) for all particles that `where` selects.
 template <class Each>

@@ -52,6 +52,7 @@ class KeyList {
 
 /// The keys of each kind of case.
 void list_common_keys(KeyList& keys);
+void list_corpus_keys(KeyList& keys);
 void list_packing_keys(KeyList& keys);
 void list_field_keys(KeyList& keys);
 void list_press_keys(KeyList& keys);
