@@ -11,17 +11,14 @@
 
 #include "core/error.hpp"
 #include "integrators/detail/error_norm.hpp"
-#include "integrators/detail/implicit/cvode_linear_solver.hpp"
 #include "integrators/detail/implicit/shifted_solver.hpp"
-#include "integrators/detail/implicit/sundials.hpp"
+#include "integrators/detail/implicit/sundials_linear_solver.hpp"
+#include "integrators/detail/implicit/sundials_run.hpp"
 #include "integrators/detail/tolerance.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
 namespace {
-
-constexpr double default_rtol = 1e-6;
-constexpr int largest_order = 5;
 
 /// Part of the tolerance that a step's local error may have. Fitted once, to the audit's scenes
 /// (tests/audit).
@@ -32,11 +29,11 @@ double local_share(double rtol) {
 class CvodeBdf final : public Propagator {
  public:
   explicit CvodeBdf(const Options& options)
-      : rtol_(options.number("rtol").value_or(default_rtol)),
-        atol_(options.number("atol")),
-        local_(options.word("tolerance", "span") == "local"),
-        linsol_(options.word("linsol", options.has("ordering") ? "klu" : "auto")),
-        ordering_(options.word("ordering", "auto")) {
+      : rtol_(options.number("rtol")),
+        atol_(options.given("atol")),
+        local_(options.word("tolerance") == "local"),
+        linsol_(options.has("ordering") && !options.has("linsol") ? "klu" : options.word("linsol")),
+        ordering_(options.word("ordering")) {
     if (options.has("ordering") && linsol_ != "klu")
       throw UsageError("cvode: ordering goes with linsol=klu; leave it out, or choose that");
     if (atol_ && !local_)
@@ -59,13 +56,9 @@ class CvodeBdf final : public Propagator {
  private:
   static int derivative(double t, N_Vector y, N_Vector ydot, void* data) noexcept;
   static int weights(N_Vector y, N_Vector inverse, void* data) noexcept;
-  static void keep_message(int code, const char* module, const char* function, char* message,
-                           void* self) noexcept;
 
   void create_solver(double t);
   [[nodiscard]] Outcome take_internal_step();
-  /// Inflow over the internal step just made, by Gauss points on its interpolant.
-  [[nodiscard]] double inflow_of_step(double begin, double end);
   void collect_counts();
   [[nodiscard]] Outcome failure(int flag) const;
   [[nodiscard]] bool differentiate(double t, int k);
@@ -82,25 +75,25 @@ class CvodeBdf final : public Propagator {
   // Destroyed from the last to the first: the solver before what it uses.
   sundials::Context context_;
   sundials::Vector y_, derivative_;
-  std::unique_ptr<CvodeLinearSolver> linear_solver_;
-  CvodeCallbackData callback_data_;
+  std::unique_ptr<SundialsLinearSolver> linear_solver_;
+  SundialsCallbackData callback_data_;
   sundials::Cvode cvode_;
   double t_ = 0, t_internal_ = 0, end_ = 0;
   bool stepped_ = false;  ///< since `record` was called last
   bool has_history_ = false;
-  std::string message_;
+  sundials::Message message_;
   Statistics counts_, before_restart_;
 };
 
 int CvodeBdf::derivative(double t, N_Vector y, N_Vector ydot, void* data) noexcept {
-  (*static_cast<CvodeCallbackData*>(data)->rhs)(t, sundials::entries(y), sundials::entries(ydot));
+  (*static_cast<SundialsCallbackData*>(data)->rhs)(t, sundials::entries(y), sundials::entries(ydot));
   return 0;
 }
 
 /// Local errors of the run's tolerance times a factor that makes what is delivered proportional to it; or
 /// SUNDIALS' own rtol |y| + atol.
 int CvodeBdf::weights(N_Vector y, N_Vector inverse, void* data) noexcept {
-  const auto& method = *static_cast<CvodeBdf*>(static_cast<CvodeCallbackData*>(data)->integrator);
+  const auto& method = *static_cast<CvodeBdf*>(static_cast<SundialsCallbackData*>(data)->integrator);
   const auto values = sundials::entries(y), out = sundials::entries(inverse);
   if (method.local_) {
     const auto fields = method.rhs_->fields();
@@ -111,21 +104,8 @@ int CvodeBdf::weights(N_Vector y, N_Vector inverse, void* data) noexcept {
     }
     return 0;
   }
-  const double share = local_share(method.rtol_);
-  constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();  // below them no step would pass
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const double weight = method.norm_.weight(i);
-    out[i] = weight > 0 ? 1 / std::max(share / weight, roundings * std::abs(values[i])) : 1e-30;
-  }
+  sundials::set_weights(method.norm_, local_share(method.rtol_), y, inverse);
   return 0;
-}
-
-void CvodeBdf::keep_message(int /*code*/, const char* /*module*/, const char* function, char* message,
-                            void* self) noexcept {
-  try {
-    static_cast<CvodeBdf*>(self)->message_ = fmt::format("{}: {}", function, message);
-  } catch (...) {  // out of memory while reporting: the flag alone has to do
-  }
 }
 
 void CvodeBdf::prepare(Rhs& rhs, const Task& task) {
@@ -141,7 +121,6 @@ void CvodeBdf::prepare(Rhs& rhs, const Task& task) {
   derivative_.reset(N_VNew_Serial(n, context_.get()));
   create_solver(task.t_begin);
   state_.resize(rhs.size());
-  taylor_.resize(plan_->probes.size() * (largest_order + 1));
 }
 
 void CvodeBdf::create_solver(double t) {
@@ -149,16 +128,17 @@ void CvodeBdf::create_solver(double t) {
   const std::string linsol = automatic ? fastest_linear_solver(*rhs_) : linsol_;
   const std::string ordering = ordering_ == "auto" ? fastest_klu_ordering(*rhs_) : ordering_;
   if (automatic) choice_ = linsol == "klu" ? "linsol=klu,ordering=" + ordering : "linsol=" + linsol;
-  linear_solver_ = make_cvode_linear_solver(linsol, ordering, *rhs_, y_.get(), context_.get());
+  linear_solver_ = make_sundials_linear_solver(linsol, ordering, *rhs_, y_.get(), context_.get());
   callback_data_ = {rhs_, this, linear_solver_.get()};
   cvode_.reset(CVodeCreate(CV_BDF, context_.get()));
   if (!cvode_) throw std::runtime_error("CVODE: out of memory");
-  check_sundials(CVodeSetErrHandlerFn(cvode_.get(), keep_message, this), "setting the error handler");
+  check_sundials(CVodeSetErrHandlerFn(cvode_.get(), sundials::Message::keep, &message_),
+                 "setting the error handler");
   check_sundials(CVodeInit(cvode_.get(), derivative, t, y_.get()), "initialisation");
   check_sundials(CVodeSetUserData(cvode_.get(), &callback_data_), "setting user data");
   check_sundials(CVodeWFtolerances(cvode_.get(), weights), "setting tolerances");
   check_sundials(CVodeSetMaxNumSteps(cvode_.get(), -1), "lifting the step limit");  // one step a call here
-  linear_solver_->attach(cvode_.get());
+  linear_solver_->attach(SundialsPackage::cvode, cvode_.get());
 }
 
 void CvodeBdf::begin(double t, double end, std::span<const double> y, std::span<const Instant> instants,
@@ -186,17 +166,9 @@ void CvodeBdf::record(ProbeHistory& history) {
   if (!std::exchange(stepped_, false)) return;
   int order = 0;
   CVodeGetLastOrder(cvode_.get(), &order);
-  const std::size_t probes = plan_->probes.size();
-  double factorial = 1;
-  for (int k = 0; k <= order; ++k) {
-    if (k > 1) factorial *= k;
-    if (!differentiate(t_internal_, k)) return;
-    const auto values = sundials::entries(derivative_.get());
-    for (std::size_t p = 0; p < probes; ++p)
-      taylor_[static_cast<std::size_t>(k) * probes + p] = values[plan_->probes[p]] / factorial;
-  }
-  history.append(t_internal_, std::span(taylor_).first((static_cast<std::size_t>(order) + 1) * probes),
-                 order);
+  sundials::record_taylor(
+      t_internal_, order, plan_->probes, derivative_.get(),
+      [this](double t, int k) { return differentiate(t, k); }, taylor_, history);
 }
 
 void CvodeBdf::collect_counts() {
@@ -223,18 +195,7 @@ void CvodeBdf::add_counts(Statistics& statistics) const {
 
 Outcome CvodeBdf::failure(int flag) const {
   return {Status::failed,
-          fmt::format("CVODE stopped at t = {:.6g} s with flag {}: {}", t_internal_, flag, message_)};
-}
-
-double CvodeBdf::inflow_of_step(double begin, double end) {
-  static constexpr double node = 0.7745966692414834;  // sqrt(3/5): Gauss-Legendre, exact to degree 5
-  const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
-  double sum = 0;
-  for (const auto& [position, weight] : {std::pair{-node, 5.0 / 9}, {0.0, 8.0 / 9}, {node, 5.0 / 9}}) {
-    const double t = middle + position * half;
-    if (differentiate(t, 0)) sum += weight * half * rhs_->inflow(t, sundials::entries(derivative_.get()));
-  }
-  return sum;
+          fmt::format("CVODE stopped at t = {:.6g} s with flag {}: {}", t_internal_, flag, message_.text)};
 }
 
 Outcome CvodeBdf::take_internal_step() {
@@ -246,7 +207,9 @@ Outcome CvodeBdf::take_internal_step() {
   if (flag < 0) return failure(flag);
   stepped_ = true;
   if (plan_->track_inflow)
-    counts_.inflow += inflow_of_step(begin, std::min(t_internal_, plan_->output_times.back()));
+    counts_.inflow +=
+        sundials::inflow_between(*rhs_, begin, std::min(t_internal_, plan_->output_times.back()),
+                                 derivative_.get(), [this](double t, int k) { return differentiate(t, k); });
   return {};
 }
 

@@ -6,7 +6,7 @@
 // One line per method: its file in this folder defines `IntegratorEntry <name>_entry()`.
 #define SUPERSTEP_INTEGRATORS(method)                                                                    \
   method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(rock) method(trapezoidal) \
-      method(esdirk) method(exponential) method(exprb) method(cvode) method(automatic)
+      method(esdirk) method(exponential) method(exprb) method(cvode) method(arkode) method(automatic)
 
 namespace superstep {
 

@@ -111,7 +111,30 @@ Command make_work_precision(const Arguments& values) {
   return command;
 }
 
+Command make_corpus(const Arguments& values) {
+  for (const auto& [given, what] : {std::pair{!values.cases.empty(), "a case file"},
+                                    {values.work_precision, "--work-precision"},
+                                    {!values.reference.empty(), "--reference"},
+                                    {values.json, "--json"}})
+    if (given)
+      throw UsageError(fmt::format("bench: {} does not go with --corpus; leave one of them out", what));
+  CorpusCommand command;
+  command.common = common_options(values);
+  command.corpus = values.corpus;
+  command.out = values.out;
+  command.report = values.report;
+  command.markdown = values.markdown;
+  command.options.integrators = values.integrators;
+  command.options.use_cache = !values.no_cache;
+  command.options.repetitions = repetitions_of(values, command.options.repetitions);
+  command.options.limits = run_limits(values, 0);
+  command.options.limits.say = {};
+  return command;
+}
+
 Command from_line(const Arguments& values) {
+  if (!values.corpus.empty()) return make_corpus(values);
+  if (values.markdown) throw UsageError("bench: --markdown goes with --corpus; leave it out, or give both");
   if (values.cases.empty()) throw UsageError("bench: a case file is missing; see superstep bench --help");
   if (values.work_precision) return make_work_precision(values);
   BenchCommand command;
@@ -169,6 +192,7 @@ CommandEntry bench_command() {
           "  superstep bench cases/nial_thermal.toml\n"
           "  superstep bench cases/nial_thermal.toml --integrator sts:n=20,nu=1e-3 --repetitions 5\n"
           "  superstep bench cases/nial_thermal.toml --work-precision\n"
+          "  superstep bench --corpus quick --report\n"
           "  superstep bench cases/nial_thermal.toml --reference forward-euler --json",
       .positional = "CASE",
       .positional_meaning = "case files (TOML)",
@@ -185,6 +209,12 @@ CommandEntry bench_command() {
            max_work_option(),
            {"--work-precision", &Arguments::work_precision,
             "sweep every method over tolerances and steps; say who is fastest at each error", ""},
+           {"--corpus", &Arguments::corpus,
+            "every method over its ladder on a set of scenes: quick, standard (default), large, or a folder "
+            "of "
+            "cases; what was measured before is not measured again",
+            "SET", "standard"},
+           {"--markdown", &Arguments::markdown, "with --corpus: tables in Markdown", ""},
            {"--report", &Arguments::report, "write report.html beside the results as well", ""},
            {"--no-cache", &Arguments::no_cache, "neither read nor write cached references", ""}},
       .make = from_line};

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "bench/harness/corpus/corpus_sweep.hpp"
 #include "bench/harness/harness.hpp"
 #include "bench/harness/work_precision.hpp"
 #include "bench/host/terminal.hpp"
@@ -58,6 +59,16 @@ struct FileOptions {
   char axis = 0;            ///< 'x', 'y', 'z'; 0 = the longest open one
   std::string neck;         ///< law; empty = hertz
   std::optional<double> conductivity, density, specific_heat;
+};
+
+/// superstep bench --corpus
+struct CorpusCommand {
+  CommonOptions common;
+  std::string corpus;  ///< a set, or a folder of cases
+  CorpusOptions options;
+  std::string out;        ///< folder; empty = default_output_folder
+  bool report = false;    ///< write report.html as well
+  bool markdown = false;  ///< tables in Markdown
 };
 
 struct InfoCommand {
@@ -121,7 +132,7 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, InfoCommand, InitCommand,
+using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, CorpusCommand, InfoCommand, InitCommand,
                              StabilityCommand, GateCommand, CompareCommand, PackCommand, ListCommand,
                              ReportCommand, CompletionCommand, ShowText>;
 
@@ -129,6 +140,7 @@ using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, Inf
 int execute(const RunCommand& command);
 int execute(const BenchCommand& command);
 int execute(const WorkPrecisionCommand& command);
+int execute(const CorpusCommand& command);
 int execute(const InfoCommand& command);
 int execute(const InitCommand& command);
 int execute(const StabilityCommand& command);

@@ -12,8 +12,8 @@ namespace superstep {
 namespace {
 
 bool changes_no_answer(std::string_view path) {
-  constexpr std::array<std::string_view, 2> values = {"title", "source"};
-  constexpr std::array<std::string_view, 2> tables = {"bench", "published"};
+  constexpr std::array<std::string_view, 3> values = {"title", "source", "network.expect"};
+  constexpr std::array<std::string_view, 3> tables = {"bench", "published", "corpus"};
   for (const auto value : values)
     if (path == value) return true;
   for (const auto table : tables)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "case/case.hpp"
+#include "case/corpus_tags.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/read.hpp"
@@ -50,6 +51,7 @@ void read_head(TomlTable& root, CaseHead& head) {
   head.source = root.string("source").value_or("");
   read_times(root, head);
   read_bench(root, head);
+  (void)read_corpus_tags(root);
 }
 
 TomlTable parse_case(const std::string& path) {

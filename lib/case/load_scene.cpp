@@ -5,7 +5,7 @@
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/materials.hpp"
-#include "case/network/read_direct_network.hpp"
+#include "case/network/read_network_scene.hpp"
 #include "case/packed/assign_materials.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
@@ -23,8 +23,8 @@ constexpr double default_resolve_change = 1e-6;
 /// A misspelt table is said first: what follows would only miss it.
 void require_known_tables(TomlTable& root) {
   for (const char* key :
-       {"title", "source", "t_end", "output_times", "probe", "bench", "published", "network", "packing",
-        "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
+       {"title", "source", "t_end", "output_times", "probe", "bench", "corpus", "published", "network",
+        "packing", "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
     (void)root.find(key);
   root.finish();
 }
@@ -113,7 +113,7 @@ Scene load_scene(TomlTable root) {
   const auto probe = root.find("probe");
   Coupling coupling;
   if (auto network = root.table("network"))
-    read_direct_network(root, *network, scene);
+    read_network_scene(root, *network, scene);
   else
     coupling = read_particles(root, scene);
   root.finish();
@@ -139,7 +139,7 @@ std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::spa
   std::vector<double> values(graph.nodes());
   for (std::size_t node = 0; node < values.size(); ++node) {
     const auto entry = entry_of_node(field, static_cast<std::int32_t>(node));
-    values[node] = entry >= 0             ? state[static_cast<std::size_t>(entry)]
+    values[node] = entry >= 0             ? state[static_cast<std::size_t>(entry)] + fields[field].origin
                    : graph.is_fixed[node] ? graph.fixed_at(node, t)
                                           : graph.initial[node];
   }

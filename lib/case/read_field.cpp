@@ -7,7 +7,7 @@
 
 #include "case/checks/warnings.hpp"
 #include "case/inputs/read_initial.hpp"
-#include "case/read_inputs.hpp"
+#include "case/inputs/read_inputs.hpp"
 #include "contact/conductance.hpp"
 #include "core/error.hpp"
 

@@ -9,6 +9,7 @@
 #include "case/packed/read_contacts.hpp"
 #include "core/error.hpp"
 #include "packing/generate.hpp"
+#include "packing/grid.hpp"
 #include "packing/pack_checks.hpp"
 #include "packing/read.hpp"
 
@@ -54,9 +55,44 @@ std::int64_t non_negative(TomlTable& table, const std::string& key, std::int64_t
   return value ? value->integer() : fallback;
 }
 
+std::size_t sphere_count(TomlTable& table, std::int64_t fallback) {
+  const auto count = static_cast<std::size_t>(non_negative(table, "count", fallback));
+  if (count > largest_packing)
+    table.find("count")->reject(fmt::format("it must be at most {}", largest_packing));
+  return count;
+}
+
+Packing generate_grid(TomlTable& table, double unit) {
+  constexpr std::size_t smallest = 8;
+  GridSettings settings;
+  settings.count = sphere_count(table, 0);
+  if (settings.count < smallest)
+    table.require("count", "a grid needs the number of its spheres")
+        .reject(fmt::format("a grid has at least {} spheres", smallest));
+  settings.spacing = unit * table.positive("spacing", "length");
+  const auto jitter = table.find("jitter");
+  if (jitter) settings.jitter = jitter->number();
+  if (!(settings.jitter >= 0 && settings.jitter <= 0.5)) jitter->reject("it must lie between 0 and 0.5");
+  settings.seed = static_cast<std::uint64_t>(non_negative(table, "seed", 1));
+  const auto sizes = table.require("sizes", "it is a table with a distribution");
+  const SizeDistribution read = read_sizes(sizes.table(), unit);
+  if (read.kind != SizeDistribution::Kind::uniform || read.min > read.max)
+    sizes.reject("a grid has sizes of distribution = \"uniform\", min no larger than max");
+  settings.smallest = read.min;
+  settings.largest = read.max;
+  if (const auto names = table.find("materials")) settings.materials = names->strings();
+  if (const auto shares = table.find("shares")) {
+    settings.shares = positive_numbers(*shares);
+    if (settings.shares.size() != settings.materials.size())
+      shares->reject("there must be as many shares as materials");
+  }
+  return grid_packing(settings);
+}
+
 Packing generate(TomlTable& table, const TomlValue& generator, double unit) {
   PackSettings settings;
   const std::string shape = generator.string();
+  if (shape == "grid") return generate_grid(table, unit);
   if (shape == "cylinder") {
     settings.container.shape = Container::Shape::cylinder;
     settings.container.diameter = unit * table.positive("diameter", "length");
@@ -65,16 +101,14 @@ Packing generate(TomlTable& table, const TomlValue& generator, double unit) {
     settings.container.width = unit * table.positive("width", "length");
     settings.container.depth = unit * table.positive("depth", "length");
   } else {
-    generator.reject("the generator must be \"cylinder\" or \"box\"");
+    generator.reject("the generator must be \"cylinder\", \"box\" or \"grid\"");
   }
   settings.container.height = unit * table.positive("height", "length");
   settings.relative_density = table.positive("relative_density", "-");
   constexpr double densest = 0.9;
   if (settings.relative_density > densest)
     table.find("relative_density")->reject(fmt::format("it must be at most {}", densest));
-  settings.count = static_cast<std::size_t>(non_negative(table, "count", 0));
-  if (settings.count > largest_packing)
-    table.find("count")->reject(fmt::format("it must be at most {}", largest_packing));
+  settings.count = sphere_count(table, 0);
   settings.seed = static_cast<std::uint64_t>(non_negative(table, "seed", 1));
   settings.sizes = read_sizes(table.require("sizes", "it is a table with a distribution").table(), unit);
   try {

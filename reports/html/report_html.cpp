@@ -48,6 +48,7 @@ std::string body_of(const ReportInput& input) {
   std::string out;
   for (std::size_t k = 0; k < input.cases.size(); ++k)
     out += case_html(input.cases[k], fmt::format("case-{}", k + 1), input.cases.size() == 1);
+  if (!input.corpus.empty()) out += corpus_article(input.corpus);
   out += sintering_articles(input.runs);
   std::string rest;
   for (std::size_t k = 0; k < input.other_studies.size(); ++k)
@@ -81,6 +82,7 @@ std::string heading_of(const ReportInput& input) {
     return input.cases.front().bench.title.empty() ? input.cases.front().bench.name
                                                    : input.cases.front().bench.title;
   if (!input.cases.empty()) return fmt::format("{} cases", input.cases.size());
+  if (!input.corpus.empty()) return "Which method for which scenes";
   if (input.runs.empty()) return "Results";
   const std::string& title = input.runs.front().record.title;
   const bool same = std::all_of(input.runs.begin(), input.runs.end(),

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
 #include "reports/html/read_runs.hpp"
+#include "results/corpus/corpus_csv.hpp"
 #include "results/observations_csv.hpp"
 #include "results/results_json.hpp"
 #include "results/study/read_work_precision.hpp"
@@ -131,7 +132,10 @@ ReportInput read_report_input(const std::string& folder) {
   read_studies(input);
   read_stability(input);
   input.runs = read_runs(folder);
-  if (!input.bench && input.runs.empty() && input.other_studies.empty() && !input.stability)
+  if (const std::string corpus = folder + "/corpus.csv"; exists(corpus))
+    input.corpus = read_corpus_csv(corpus);
+  if (!input.bench && input.corpus.empty() && input.runs.empty() && input.other_studies.empty() &&
+      !input.stability)
     throw InputError(fmt::format(
         "{}: there is neither results.json nor run.json; write one with superstep bench CASE --out {}",
         folder, folder));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "results/corpus/corpus_row.hpp"
 #include "results/motion_input.hpp"
 #include "results/results.hpp"
 #include "results/study/work_precision.hpp"
@@ -44,6 +45,7 @@ struct ReportInput {
   std::vector<WorkPrecision> other_studies;  ///< of cases that the benchmark does not hold
   std::optional<StabilityInput> stability;
   std::vector<RunInput> runs;
+  std::vector<CorpusRow> corpus;  ///< of `superstep bench --corpus`
 };
 
 /// Throws InputError when the folder holds no results, or broken ones.

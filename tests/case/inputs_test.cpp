@@ -18,7 +18,7 @@ namespace {
 std::vector<double> values_at_end(const Scene& scene) {
   Plan plan;
   plan.output_times = {scene.t_end};
-  plan.ranges = {{scene.fields[0].low, scene.fields[0].high}};
+  plan.ranges = {scene.fields[0].range_of_state()};
   const auto integrator = make_integrator("cvode:rtol=1e-9");
   integrator->prepare(*scene.rhs, plan);
   integrator->start(0, scene.initial);
@@ -202,6 +202,8 @@ TEST_F(Inputs, MatricesEdgeListsAndNodesWithoutCapacity) {
   EXPECT_NEAR(value[2], 4, 1e-6);
   EXPECT_NEAR(value[1], 2, 1e-6) << "recovered from its neighbours";
   expect_refused("probe = 2\n" + head + "fixed = [ { ids = [1], value = 0.0 } ]\n", "has capacity 0");
+  const auto driven = load(head + "source = { times = [0, 1], values = [0, 4] }\n");
+  EXPECT_EQ(driven.fields[0].graph.tabled_sources.size(), 5u) << "that of 2 goes to its two neighbours";
   folder_.write("e.txt", "1 2 2\n2 3 2\n3 4 0.5\n3 4 0.5\n");
   folder_.write("f.csv", "id,value\n1,0\n4,8\n");
   const auto list =

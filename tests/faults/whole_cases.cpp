@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "network/generators/network_generator.hpp"
+
 namespace superstep::test {
 namespace {
 
@@ -106,9 +108,15 @@ Tree electric(const std::string& kind) {
           {"fixed", Tree::array({{{"where", "top"}, {"value", 1e-6}}})}};
 }
 
+Tree corpus() {
+  return Tree::parse(R"({ "set": "quick", "class": "linear", "kind": "lattice", "purpose": "a test",
+    "unknowns": 20, "stiffness": 1e3, "contrast": 10.0 })");
+}
+
 /// With the figures of a source and a benchmark.
 Tree full_head() {
   Tree tree = head();
+  tree["corpus"] = corpus();
   tree["published"] =
       Tree::parse(R"({ "particles": 27, "relative_density": 0.7, "effective_conductivity": 1.0,
     "lambda_max": 1.0, "lambda_min": 1.0, "critical_step": 1.0, "pair_step": 1.0, "alpha_star": 0.7 })");
@@ -150,6 +158,18 @@ Tree generated(const Tree& packing, const std::string& kind) {
   tree["contact"] = {{"neck", "geometric"}};
   tree["thermal"] = thermal(kind);
   tree["electric"] = electric(kind);
+  return tree;
+}
+
+/// Its one material has a name.
+Tree generated_grid(const Tree& packing) {
+  Tree tree = generated(packing, "linear");
+  tree.erase("material");
+  tree["materials"] = Tree::parse(R"([ { "name": "a", "density": 1000.0,
+    "thermal": { "conductivity": 10.0, "specific_heat": 100.0 },
+    "electric": { "conductivity": 1e3, "specific_capacity": 1e3 } } ])");
+  tree["thermal"] = Tree::parse(R"({ "initial": 300.0, "fixed": [ { "where": "top", "value": 310.0 } ] })");
+  tree["electric"] = Tree::parse(R"({ "initial": 0.0, "fixed": [ { "where": "top", "value": 1e-6 } ] })");
   return tree;
 }
 
@@ -200,7 +220,7 @@ Tree matrix() {
   Tree tree = head();
   tree["network"] =
       Tree::parse(R"({ "matrix": "K.mtx", "matrix_kind": "laplacian", "ambient": 1.0, "capacity": 1.0,
-    "source": 0.1, "initial": { "column": "value", "file": "start4.csv" } })");
+    "initial": { "column": "value", "file": "start4.csv" } })");
   tree["network"]["fixed"] =
       Tree::array({{{"ids", {1}}, {"value", listed_table(1)}}, {{"ids", {4}}, {"value", table_in_file(2)}}});
   return tree;
@@ -222,8 +242,20 @@ Tree network(const CaseFolder& folder) {
   return tree;
 }
 
+Tree generated_network(Tree (*table)(double)) {
+  Tree tree = full_head();
+  tree["network"] = Tree::parse(R"({ "generator": "lattice", "size": 64, "contrast": 10.0, "spread": 2.0,
+    "fraction": 0.1, "seed": 3, "field": "temperature", "initial": 0.5 })");
+  const auto made = find_network_generator("lattice")->make(
+      {.size = 64, .contrast = 10, .spread = 2, .fraction = 0.1, .seed = 3});
+  tree["network"]["expect"] = network_hash(made);
+  for (const char* key : {"inlet", "outlet", "source"}) tree["network"][key] = table(1);
+  return tree;
+}
+
 Tree press() {
   Tree tree = head();
+  tree["corpus"] = corpus();
   tree["t_end"] = 0.01;
   tree["output_times"] = {0.005, 0.01};
   tree["bench"] = Tree::parse(
@@ -275,6 +307,9 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
   const Tree box = Tree::parse(R"({ "generator": "box", "length_unit": "mm", "width": 3.0, "depth": 3.0,
     "height": 4.0, "relative_density": 0.5, "seed": 2,
     "sizes": { "distribution": "uniform", "min": 0.8, "max": 1.2 } })");
+  const Tree grid = Tree::parse(R"({ "generator": "grid", "length_unit": "mm", "count": 27, "spacing": 1.0,
+    "jitter": 0.02, "seed": 2, "materials": ["a"], "shares": [1.0],
+    "sizes": { "distribution": "uniform", "min": 1.05, "max": 1.1 } })");
   Tree listed = box;
   listed["sizes"] =
       Tree::parse(R"({ "distribution": "list", "diameters": [0.8, 1.2], "weights": [1.0, 2.0] })");
@@ -285,9 +320,12 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"listed", CaseKey::packing, generated(listed, "table")},
           {"selected", CaseKey::packing, selected()},
           {"lammps", CaseKey::packing, lammps()},
-          {"network", CaseKey::network, network(folder)},
           {"matrix", CaseKey::network, matrix()},
           {"pores", CaseKey::network, pores()},
+          {"grid", CaseKey::packing, generated_grid(grid)},
+          {"network", CaseKey::network, network(folder)},
+          {"generated", CaseKey::network, generated_network(listed_table)},
+          {"driven", CaseKey::network, generated_network(table_in_file)},
           {"press", CaseKey::press, press()},
           {"list", CaseKey::press, press_of_a_list()}};
 }

@@ -115,6 +115,14 @@ bool is_case_file(const std::string& word) {
          (name.find_first_of("./") != std::string::npos || std::filesystem::is_regular_file(word, none));
 }
 
+/// What is meant where an option stands without its value; empty = nothing.
+std::string implied_value(const std::string& name) {
+  for (const auto& entry : command_entries())
+    for (const auto& option : entry.options)
+      if (option.name == name) return option.implied;
+  return {};
+}
+
 /// "--integrator A B" as "--integrator A --integrator B": a list ends at the next option or case file.
 std::vector<std::string> with_lists_spelt_out(const std::vector<std::string>& line) {
   const auto lists = names_of_lists();
@@ -122,6 +130,8 @@ std::vector<std::string> with_lists_spelt_out(const std::vector<std::string>& li
   for (std::size_t k = 0; k < line.size(); ++k) {
     out.push_back(line[k]);
     const std::string name = line[k].substr(0, line[k].find('='));
+    const bool bare = name == line[k] && (k + 1 == line.size() || line[k + 1].starts_with("-"));
+    if (const std::string implied = bare ? implied_value(name) : ""; !implied.empty()) out.push_back(implied);
     if (std::find(lists.begin(), lists.end(), name) == lists.end()) continue;
     if (name == line[k] && k + 1 < line.size()) out.push_back(line[++k]);
     for (; k + 1 < line.size() && !line[k + 1].starts_with("-") && !is_case_file(line[k + 1]); ++k) {

@@ -20,7 +20,7 @@ struct Arguments {
   bool quiet = false, json = false;
 
   std::vector<std::string> cases, integrators;
-  std::string tolerance, out, reference, against, checkpoint, restart, baseline, time_limit, max_work;
+  std::string tolerance, out, reference, against, checkpoint, restart, baseline, time_limit, max_work, corpus;
   std::optional<std::string> repetitions;
   bool no_cache = false, work_precision = false, quick = false, report = false, vtk = false, verify = false,
        markdown = false, keys = false;
@@ -39,6 +39,7 @@ struct OptionEntry {
   std::string name;
   Target target;
   std::string meaning, type;
+  std::string implied = {};  ///< value where the option stands without one; empty = it must have one
 };
 
 /// One line of the list of commands; its file command_NAME.cpp holds options, help and execution.

@@ -1,6 +1,7 @@
 #pragma once
 /// Owning handles for SUNDIALS objects.
 
+#include <arkode/arkode_arkstep.h>
 #include <cvodes/cvodes.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
@@ -28,12 +29,16 @@ inline void free_context(SUNContext context) noexcept {
 inline void free_cvode(void* memory) noexcept {
   CVodeFree(&memory);
 }
+inline void free_arkode(void* memory) noexcept {
+  ARKStepFree(&memory);
+}
 
 using Context = std::unique_ptr<std::remove_pointer_t<SUNContext>, Deleter<free_context>>;
 using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, Deleter<N_VDestroy>>;
 using Matrix = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, Deleter<SUNMatDestroy>>;
 using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, Deleter<SUNLinSolFree>>;
 using Cvode = std::unique_ptr<void, Deleter<free_cvode>>;
+using Arkode = std::unique_ptr<void, Deleter<free_arkode>>;
 
 [[nodiscard]] inline Context make_context() {
   SUNContext context = nullptr;

@@ -57,6 +57,7 @@ std::span<const CaseKey> case_keys() {
   static const std::vector<CaseKey> keys = [] {
     KeyList list;
     list_common_keys(list);
+    list_corpus_keys(list);
     list_packing_keys(list);
     list_field_keys(list);
     list_press_keys(list);

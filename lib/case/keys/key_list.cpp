@@ -76,8 +76,9 @@ CaseKey& KeyList::table(const std::string& name, std::string meaning) {
   return add(name, CaseKey::table, std::move(meaning));
 }
 
-void KeyList::amount(const std::string& name, const std::string& unit, const std::string& meaning) {
-  number(name, any_number, unit, meaning).types = CaseKey::number | CaseKey::table;
+void KeyList::amount(const std::string& name, const std::string& unit, const std::string& meaning,
+                     unsigned other_types) {
+  number(name, any_number, unit, meaning).types = CaseKey::number | CaseKey::table | other_types;
   numbers(name + ".times", 0, any_number, "s", "instants, ascending; two equal ones are a step");
   numbers(name + ".values", 0, any_number, unit, "the value at each instant, linear between");
   text(name + ".file", "or a table in a file, sampled as it may be");

@@ -32,7 +32,8 @@ class KeyList {
   CaseKey& table(const std::string& name, std::string meaning);
 
   /// A number or a table of time.
-  void amount(const std::string& name, const std::string& unit, const std::string& meaning);
+  void amount(const std::string& name, const std::string& unit, const std::string& meaning,
+              unsigned other_types = 0);
   /// Values at the start: a number or a column.
   void initial(const std::string& unit, const std::string& meaning, unsigned other_types = 0);
   /// A selection of particles.
@@ -54,6 +55,7 @@ class KeyList {
 
 /// The keys of each kind of case.
 void list_common_keys(KeyList& keys);
+void list_corpus_keys(KeyList& keys);
 void list_packing_keys(KeyList& keys);
 void list_field_keys(KeyList& keys);
 void list_press_keys(KeyList& keys);

@@ -1,7 +1,11 @@
 /// Keys of cases that do not move, and those that every case has.
 
+#include <iterator>
+
+#include "case/corpus_tags.hpp"
 #include "case/keys/key_list.hpp"
 #include "contact/neck.hpp"
+#include "network/generators/network_generator.hpp"
 #include "packing/pack_checks.hpp"
 
 namespace superstep {
@@ -52,8 +56,6 @@ void list_common_keys(KeyList& keys) {
   keys.number("capacity", no_less_than_zero, "J/K or F",
               "without nodes: of all, or a file, or openpnm's column")
       .types = CaseKey::number | CaseKey::text;
-  keys.number("source", any_number, "W or A", "without nodes: of each, or a file").types =
-      CaseKey::number | CaseKey::text;
   keys.initial("K or V", "without nodes: of all, the file of a vector, or a table as below", CaseKey::text);
   keys.list("fixed", CaseKey::table, "without nodes: a file of ids and values, or a list").types =
       CaseKey::array | CaseKey::text;
@@ -63,13 +65,42 @@ void list_common_keys(KeyList& keys) {
   keys.amount("value", "K or V", "the value: a number, or a table of time");
   keys.in("network", CaseKey::network);
   keys.text("field", "what the values are", {"temperature", "potential"}).fallback = "temperature";
+  std::vector<std::string> generators;
+  for (const auto& generator : network_generators()) generators.push_back(generator.name);
+  keys.text("generator", "or a network that is made, the same bits everywhere", generators);
+  keys.integer("size", {.min = 8, .max = static_cast<double>(largest_generated_network)},
+               "generator: nodes, or nearly so many");
+  keys.number("contrast", {.min = 1, .max = 1e12}, "", "generator: largest over smallest conductance")
+      .fallback = "1";
+  keys.number("spread", {.min = 1, .max = 1e12}, "", "generator: largest over smallest capacity").fallback =
+      "1";
+  keys.number("fraction", part, "", "generator: missing contacts, shortcuts, good grains, ...").fallback =
+      "0";
+  keys.integer("seed", no_less_than_zero, "generator: of the random numbers").fallback = "1";
+  keys.text("expect", "generator: hash of the network; another one is an error");
+  keys.amount("inlet", "K or V", "generator: value at the inlet; left out = not held");
+  keys.amount("outlet", "K or V", "generator: value at the outlet; left out = not held");
+  keys.amount("source", "W or A", "of each node, or a file; generator: of every sixteenth node",
+              CaseKey::text);
+}
+
+void list_corpus_keys(KeyList& keys) {
+  keys.in("", all).table("corpus", "what the case stands for in a corpus");
+  keys.in("corpus", all);
+  keys.text("set", "smallest set that holds it", {std::begin(corpus_sets), std::end(corpus_sets)});
+  keys.text("class", "what it is about", {std::begin(corpus_classes), std::end(corpus_classes)});
+  keys.text("kind", "of its network");
+  keys.text("purpose", "one line: what it is for");
+  keys.number("unknowns", positive_number, "", "entries of the state");
+  keys.number("stiffness", positive_number, "", "t_end times the spectral radius");
+  keys.number("contrast", positive_number, "", "largest over smallest rate of exchange").fallback = "1";
 }
 
 void list_packing_keys(KeyList& keys) {
   keys.in("", CaseKey::packing).table("packing", "where the particles come from");
   keys.in("packing", CaseKey::packing);
   keys.text("file", "packing file: CSV, LAMMPS, LIGGGHTS, Yade, MercuryDPM, XYZ, VTK");
-  keys.text("generator", "or a container that is filled", {"cylinder", "box"});
+  keys.text("generator", "or a container that is filled", {"cylinder", "box", "grid"});
   keys.text("length_unit", "of the packing and of selections", {"m", "cm", "mm", "um", "nm"}).fallback = "m";
   keys.text("units", "unit style of the code that wrote the file",
             {"auto", "lj", "real", "metal", "si", "cgs", "electron", "micro", "nano"})
@@ -92,9 +123,15 @@ void list_packing_keys(KeyList& keys) {
   keys.number("relative_density", {.min = 0, .max = 0.9, .min_open = true}, "",
               "volume of the spheres over that of the container");
   keys.integer("count", {.min = 0, .max = static_cast<double>(largest_packing)},
-               "lognormal: spheres, and the median follows")
+               "lognormal: spheres, and the median follows; grid: spheres, or nearly")
       .fallback = "0: as many as the density asks for";
   keys.integer("seed", no_less_than_zero, "of the random numbers").fallback = "1";
+  keys.number("spacing", positive_number, "length_unit", "grid: of the centres");
+  keys.number("jitter", {.min = 0, .max = 0.5}, "", "grid: shift of the centres over the spacing").fallback =
+      "0";
+  keys.list("materials", CaseKey::text, "grid: names, drawn by chance");
+  keys.numbers("shares", 0, positive_number, "", "grid: number fractions of the materials").fallback =
+      "equal";
   keys.table("sizes", "diameters");
   keys.text("sizes.distribution", "of the diameters", {"lognormal", "uniform", "list"});
   keys.number("sizes.min", positive_number, "length_unit", "lognormal, uniform: smallest diameter");

@@ -1,0 +1,280 @@
+#include "bench/harness/corpus/corpus_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bench/harness/harness.hpp"
+#include "bench/harness/reference.hpp"
+#include "bench/host/machine.hpp"
+#include "bench/measure/metrics.hpp"
+#include "bench/measure/probe_set.hpp"
+#include "bench/measure/run_one.hpp"
+#include "core/hash.hpp"
+#include "core/stopwatch.hpp"
+#include "integrators/registry.hpp"
+#include "results/study/work_precision.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr double long_run = 0.2;  // s; the first of longer ones is a sample: warming up is no part of them
+constexpr double long_sample = 5e-3;  // s; shorter runs are repeated within a round, and the least counts
+constexpr int most_in_a_sample = 5;   // runs
+constexpr double hopeless = 2;        // times slower than another that errs no more: once is enough
+constexpr double seconds_between_keeps = 20;
+constexpr double bars = 3;  // errors below three bars of the reference are equal
+
+std::string fact(const std::vector<Fact>& facts, const std::string& name) {
+  for (const auto& one : facts)
+    if (one.name == name) return one.value;
+  return {};
+}
+
+class SceneSweep {
+ public:
+  SceneSweep(const Scene& scene, const CorpusTags& tags, const CorpusOptions& options, const KeepRows& keep,
+             Progress& progress)
+      : scene_(scene), options_(options), keep_(keep), progress_(progress) {
+    facts_.scene = scene.name;
+    facts_.set = tags.set;
+    facts_.scene_class = tags.scene_class;
+    facts_.kind = tags.kind;
+    facts_.unknowns = scene.rhs->size();
+    facts_.contrast = tags.contrast;
+    if (scene.rhs->size() > 0) facts_.stiffness = scene.t_end * scene.rhs->spectral_bound(0, scene.initial);
+    facts_.threads = static_cast<std::uint64_t>(options.threads);
+    facts_.time_limit = options.limits.seconds;
+    facts_.processor = fact(machine_facts(), "processor");
+    facts_.revision = program_revision();
+    facts_.key = corpus_key(scene, options.threads);
+  }
+
+  std::vector<CorpusRow> run(std::span<const CorpusRow> known) {
+    for (const auto& spec : corpus_specs(options_.integrators)) enter(spec, known);
+    if (!find_reference()) return std::move(rows_);
+    for (std::size_t k = 0; k < rows_.size() && !stopped(); ++k) first_run(k);
+    for (int round = 0; round < options_.repetitions; ++round)
+      for (const std::size_t k : round_order(rows_.size(), static_cast<std::size_t>(round)))
+        if (!stopped() && contends(rows_[k])) sample(k);
+    std::erase_if(rows_, [](const CorpusRow& row) { return row.status.empty(); });  // never started
+    return std::move(rows_);
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
+
+  void enter(const std::string& spec, std::span<const CorpusRow> known) {
+    const Spec parsed = parse_spec(spec);
+    CorpusRow row = facts_;
+    row.spec = spec;
+    row.integrator = parsed.name;
+    row.params = parsed.parameters();
+    const bool seen = std::any_of(known.begin(), known.end(), [&](const CorpusRow& one) {
+      const bool same = one.key == facts_.key && one.spec == spec;
+      const bool more_time = one.status == "timeout" && one.time_limit < facts_.time_limit;
+      if (same && !more_time) row = one;
+      return same && !more_time;
+    });
+    // A family is what a ladder steps through; methods of fixed steps cost the same in all their variants.
+    group_.push_back(find_integrator(parsed.name).adaptive ? family_of(parsed) : parsed.name);
+    seen_.push_back(seen);
+    rows_.push_back(std::move(row));
+  }
+
+  bool find_reference() {
+    const bool all_seen = std::all_of(seen_.begin(), seen_.end(), [](bool seen) { return seen; });
+    const bool all_done = all_seen && std::none_of(rows_.begin(), rows_.end(), [&](const CorpusRow& row) {
+                            return contends(row) && wanting(row);
+                          });
+    if (all_done) return false;
+    const ProbeSet probes(scene_);
+    auto found = obtain_reference(
+        scene_, probes, {"", options_.use_cache, options_.stop, limits_of_reference(options_.limits)},
+        progress_);
+    if (!found.reference) {
+      rows_.clear();
+      if (found.outcome.status != Status::interrupted) rows_.push_back(no_reference(found.outcome));
+      return false;
+    }
+    reference_ = std::move(*found.reference);
+    double bar = 0, span = 0;
+    for (std::size_t f = 0; f < reference_.spans.size(); ++f) {
+      span = std::max(span, reference_.spans[f]);
+      if (reference_.spans[f] > 0) bar = std::max(bar, reference_.error_bar[f] / reference_.spans[f]);
+    }
+    if (!(span > 0)) {
+      rows_.clear();
+      rows_.push_back(no_reference({Status::refused, "nothing moves: there is no error to measure against"}));
+      return false;
+    }
+    for (auto& row : rows_) {
+      row.reference = reference_.spec;
+      row.reference_error = bar;
+    }
+    return true;
+  }
+
+  [[nodiscard]] CorpusRow no_reference(const Outcome& outcome) const {
+    CorpusRow row = facts_;
+    row.spec = row.integrator = "reference";
+    row.status = status_name(outcome.status);
+    row.reason = outcome.reason;
+    return row;
+  }
+
+  RunResult run_row(const CorpusRow& row, std::vector<double>* errors) {
+    RunRequest request{.spans = reference_.spans, .stop = options_.stop, .limits = options_.limits};
+    if (errors)
+      request.observe = [&](std::size_t output, double, std::span<const double> state) {
+        errors->push_back(error_at(output, state));
+      };
+    return run_one(scene_, row.spec, request);
+  }
+
+  [[nodiscard]] double error_at(std::size_t output, std::span<const double> state) const {
+    const auto fields = scene_.rhs->fields();
+    double worst = 0;
+    for (std::size_t f = 0; f < fields.size(); ++f)
+      if (reference_.spans[f] > 0)
+        worst =
+            std::max(worst, deviation(fields[f], state, reference_.states[output]).rms / reference_.spans[f]);
+    return worst;
+  }
+
+  /// Its error, its memory, and whether it ends.
+  void first_run(std::size_t k) {
+    CorpusRow& row = rows_[k];
+    if (seen_[k]) return;
+    if (const auto late = late_.find(group_[k]); late != late_.end()) {
+      row.status = status_name(Status::timeout);
+      row.reason = fmt::format("not begun: {} was not done after {:g} s", late->second, row.time_limit);
+      return;
+    }
+    progress_.begin_timed(fmt::format("{} {} of {} {}", scene_.name, k + 1, rows_.size(), row.spec));
+    reset_peak_memory();
+    const double before = peak_memory_megabytes();
+    std::vector<double> errors;
+    const RunResult run = run_row(row, &errors);
+    progress_.end();
+    if (run.outcome.status == Status::interrupted) return;
+    row.memory = std::max(0.0, peak_memory_megabytes() - before);
+    row.status = status_name(run.outcome.status);
+    row.reason = run.outcome.reason;
+    row.sweeps = run.sweeps;
+    row.steps = run.statistics.steps;
+    row.choice = run.choice;
+    if (run.outcome.status == Status::timeout) late_.emplace(group_[k], row.spec);
+    if (run.outcome.ok()) {
+      row.error = errors.empty() ? 0 : *std::max_element(errors.begin(), errors.end());
+      row.samples = {run.cpu_prepare + run.cpu_stepping};
+      row.cpu = row.samples.front();
+      row.cpu_prepare = run.cpu_prepare;
+      warming_.push_back(k);
+    }
+    keep_now_and_then();
+  }
+
+  /// Rounds that a row still lacks.
+  [[nodiscard]] bool wanting(const CorpusRow& row) const {
+    return row.samples.size() < static_cast<std::size_t>(options_.repetitions);
+  }
+
+  /// True unless another row that errs no more is much faster. What `auto` does is always of interest.
+  [[nodiscard]] bool contends(const CorpusRow& row) const {
+    if (!row.ok() || !row.cpu || !row.error) return false;
+    if (row.integrator == "auto") return true;
+    const double floor = bars * row.reference_error.value_or(0), error = std::max(*row.error, floor);
+    return std::none_of(rows_.begin(), rows_.end(), [&](const CorpusRow& other) {
+      return other.ok() && other.cpu && other.error && std::max(*other.error, floor) <= error &&
+             *other.cpu * hopeless < *row.cpu;
+    });
+  }
+
+  void sample(std::size_t k) {
+    CorpusRow& row = rows_[k];
+    const bool warm = std::erase(warming_, k) > 0;
+    if (warm && *row.cpu < long_run) row.samples.clear();
+    if (!wanting(row)) return;
+    progress_.begin_timed(fmt::format("{} again {}", scene_.name, row.spec));
+    double least = 0, spent = 0;
+    for (int n = 0; n < most_in_a_sample && (n == 0 || spent < long_sample); ++n) {
+      const RunResult run = run_row(row, nullptr);
+      if (run.outcome.status == Status::interrupted) break;
+      if (!run.outcome.ok()) {  // it ended once, so that this says something about the machine, too
+        row.status = status_name(run.outcome.status);
+        row.reason = run.outcome.reason;
+        break;
+      }
+      const double seconds = run.cpu_prepare + run.cpu_stepping;
+      spent += seconds;
+      if (n == 0 || seconds < least) {
+        least = seconds;
+        row.cpu_prepare = run.cpu_prepare;
+      }
+    }
+    progress_.end();
+    if (spent > 0) row.samples.push_back(least);
+    if (!row.samples.empty()) row.cpu = median_of(row.samples);
+    keep_now_and_then();
+  }
+
+  void keep_now_and_then() {
+    if (wall_seconds() - kept_ < seconds_between_keeps) return;
+    kept_ = wall_seconds();
+    std::vector<CorpusRow> begun;
+    for (const auto& row : rows_)
+      if (!row.status.empty()) begun.push_back(row);
+    keep_(begun);
+  }
+
+  const Scene& scene_;
+  const CorpusOptions& options_;
+  const KeepRows& keep_;
+  Progress& progress_;
+  CorpusRow facts_;  // what all rows share
+  Reference reference_;
+  std::vector<CorpusRow> rows_;
+  std::vector<std::string> group_;           // [rows]
+  std::vector<bool> seen_;                   // [rows] taken over
+  std::vector<std::size_t> warming_;         // rows whose only sample is their first run
+  std::map<std::string, std::string> late_;  // groups that ran out of time, and the SPEC that did
+  double kept_ = wall_seconds();
+};
+
+}  // namespace
+
+std::vector<std::string> corpus_specs(const std::vector<std::string>& asked) {
+  std::vector<std::string> specs;
+  for (const auto& one : asked) {
+    const Spec parsed = parse_spec(one);
+    const auto& entry = find_integrator(parsed.name);
+    if (parsed.settings.empty() && !entry.ladder.empty())
+      specs.insert(specs.end(), entry.ladder.begin(), entry.ladder.end());
+    else
+      specs.push_back(one);
+  }
+  if (asked.empty())
+    for (const auto& entry : integrators())
+      specs.insert(specs.end(), entry.ladder.begin(), entry.ladder.end());
+  return specs;
+}
+
+std::string corpus_key(const Scene& scene, int threads) {
+  ContentHash hash;
+  hash.add(scene.content_hash).add(program_version()).add(program_revision());
+  for (const auto& one : machine_facts()) hash.add(one.name).add(one.value);
+  for (const auto& one : library_facts()) hash.add(one.name).add(one.value);
+  hash.add_number(threads);
+  return hash.text();
+}
+
+std::vector<CorpusRow> sweep_scene(const Scene& scene, const CorpusTags& tags, const CorpusOptions& options,
+                                   std::span<const CorpusRow> known, const KeepRows& keep,
+                                   Progress& progress) {
+  return SceneSweep(scene, tags, options, keep, progress).run(known);
+}
+
+}  // namespace superstep

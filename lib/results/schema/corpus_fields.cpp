@@ -1,0 +1,84 @@
+#include "results/schema/corpus_fields.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
+#include "core/text/number.hpp"
+#include "core/text/options.hpp"
+
+namespace superstep {
+namespace {
+
+RecordField<CorpusRow> params_field() {
+  auto out = field("params", &CorpusRow::params, "SPEC behind the colon");
+  out.read = [](CorpusRow& row, const JsonObject& json) {
+    row.params = json.text("params");
+    row.spec = row.integrator + (row.params.empty() ? "" : ":" + row.params);
+    try {
+      (void)parse_spec(row.spec);
+    } catch (const UsageError& error) {  // nobody typed it: it is the file that has to be mended
+      json.reject(row.params.empty() ? "integrator" : "params", error.what());
+    }
+  };
+  return out;
+}
+
+/// A list in one cell: numbers with blanks between.
+RecordField<CorpusRow> samples_field() {
+  return {
+      "samples_s",
+      "s; CPU times of the rounds, blanks between; a round's is the least of some runs where they are short",
+      json_value::schema<std::string>(),
+      [](const CorpusRow& row) { return Json(fmt::format("{}", fmt::join(row.samples, " "))); },
+      [](CorpusRow& row, const JsonObject& json) {
+        const std::string text = json.text("samples_s");
+        row.samples.clear();
+        for (std::size_t begin = 0; begin < text.size();) {
+          const std::size_t end = std::min(text.find(' ', begin), text.size());
+          const auto number = parse_number(std::string_view(text).substr(begin, end - begin));
+          if (!number || !(*number >= 0)) json.reject("samples_s", "it must hold numbers >= 0");
+          row.samples.push_back(*number);
+          begin = end + 1;
+        }
+      }};
+}
+
+}  // namespace
+
+template <>
+const RecordFields<CorpusRow>& fields_of<CorpusRow>() {
+  static const RecordFields<CorpusRow> fields = {
+      field("scene", &CorpusRow::scene, "stem of the case file"),
+      field("set", &CorpusRow::set, "smallest set that holds it"),
+      field("class", &CorpusRow::scene_class, "what the scene is about"),
+      field("kind", &CorpusRow::kind, "of its network"),
+      field("unknowns", &CorpusRow::unknowns, "entries of the state"),
+      field("stiffness", &CorpusRow::stiffness, "t_end times the spectral radius at the start"),
+      field("contrast", &CorpusRow::contrast,
+            "largest over smallest rate of exchange, as the case states it"),
+      field("integrator", &CorpusRow::integrator, "SPEC before the colon"),
+      params_field(),
+      field("status", &CorpusRow::status, "as in results.csv"),
+      field("reason", &CorpusRow::reason, "why it is not ok"),
+      field("cpu_s", &CorpusRow::cpu, "s; CPU time of preparing and stepping, median of the samples"),
+      field("cpu_prepare_s", &CorpusRow::cpu_prepare, "s; of that before the first step"),
+      samples_field(),
+      field("memory_mb", &CorpusRow::memory, "MB that the run added to the memory in use"),
+      field("error", &CorpusRow::error,
+            "rms error over the span of the field, worst of the fields and output times"),
+      field("sweeps", &CorpusRow::sweeps, "passes over the network"),
+      field("steps", &CorpusRow::steps, "accepted steps"),
+      field("reference", &CorpusRow::reference, "SPEC that errors are measured against"),
+      field("reference_error", &CorpusRow::reference_error, "its error bar over the span"),
+      field("threads", &CorpusRow::threads, "threads that were allowed"),
+      field("time_limit_s", &CorpusRow::time_limit, "s; wall time that a run was allowed"),
+      field("choice", &CorpusRow::choice, "what the method chose by itself"),
+      field("processor", &CorpusRow::processor, "that it was measured on"),
+      field("revision", &CorpusRow::revision, "of the program"),
+      field("key", &CorpusRow::key, "names scene, build and machine"),
+  };
+  return fields;
+}
+
+}  // namespace superstep
