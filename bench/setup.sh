@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 packages=(
   g++ cmake ninja-build
   libsundials-dev libsuitesparse-dev libopenblas-dev libeigen3-dev libfmt-dev
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libbenchmark-dev libgtest-dev libxxhash-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libbenchmark-dev libgtest-dev libxxhash-dev zlib1g-dev
 )
 
 # missing_packages PACKAGE...: those that are not installed, one a line.

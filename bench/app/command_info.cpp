@@ -1,10 +1,14 @@
-/// superstep info: the health of a case's network, without integrating it.
+/// superstep info: the health of a case's network, without integrating it; or what a packing or network file
+/// is.
 
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
+#include "bench/app/file_report.hpp"
 #include "bench/app/press/press_commands.hpp"
+#include "bench/output/system_files.hpp"
 #include "case/case.hpp"
 #include "case/checks/health.hpp"
+#include "core/error.hpp"
 #include "reports/text/health_report.hpp"
 
 namespace superstep {
@@ -12,34 +16,50 @@ namespace superstep {
 namespace {
 
 Command from_line(const Arguments& values) {
-  return InfoCommand{common_options(values), single_case(values, "info")};
+  return InfoCommand{common_options(values), single_case(values, "info"), file_options_of(values),
+                     values.matrix};
 }
 
 int info(const InfoCommand& command, const Scene& scene) {
+  if (!command.matrix.empty()) write_system(command.matrix, scene);
   const NetworkHealth health = assess_network(scene);
   print_data(command.common.json ? health_json(scene, health) : health_text(scene, health));
   return 0;
 }
 
 int info(const InfoCommand& command, const Press& press) {
+  if (!command.matrix.empty())
+    throw UsageError("info: --matrix is for networks that stay as they are, and these particles move");
   return info_press(command, press);
 }
 
 }  // namespace
 
 int execute(const InfoCommand& command) {
+  if (is_no_case(command.case_file)) {
+    if (!command.matrix.empty())
+      throw UsageError("info: --matrix needs a case, which has capacities and fixed values");
+    print_data(file_report(command));
+    return 0;
+  }
   return std::visit([&](const auto& one) { return info(command, one); }, load_case(command.case_file));
 }
 
 CommandEntry info_command() {
+  auto options = file_options();
+  options.push_back({"--matrix", &Arguments::matrix,
+                     "write the case's system in the Matrix Market's format, with a case that reads it back",
+                     "FOLDER"});
   return {.name = "info",
-          .does = "health of a case's network, without integrating it",
+          .does = "health of a case's network, or what a packing or network file is",
           .examples =
               "  superstep info cases/nial_thermal.toml\n"
-              "  superstep info cases/nial_thermal.toml --json",
+              "  superstep info cases/nial_thermal.toml --json\n"
+              "  superstep info packing.dump --conductivity 85 --density 5910 --axis z\n"
+              "  superstep info cases/chain.toml --matrix system",
           .positional = "CASE",
-          .positional_meaning = "case file (TOML)",
-          .options = {},
+          .positional_meaning = "case file (TOML), packing file or network file",
+          .options = std::move(options),
           .make = from_line};
 }
 

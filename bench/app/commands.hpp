@@ -11,6 +11,7 @@
 #include "bench/harness/work_precision.hpp"
 #include "bench/host/terminal.hpp"
 #include "packing/generate.hpp"
+#include "packing/read_options.hpp"
 
 namespace superstep {
 
@@ -51,6 +52,15 @@ struct WorkPrecisionCommand {
   bool report = false;  ///< write report.html as well
 };
 
+/// What the command line says about a packing file and its material, instead of a case.
+struct FileOptions {
+  PackingOptions reading;
+  std::string length_unit;  ///< as it was given; empty = not
+  char axis = 0;            ///< 'x', 'y', 'z'; 0 = the longest open one
+  std::string neck;         ///< law; empty = hertz
+  std::optional<double> conductivity, density, specific_heat;
+};
+
 /// superstep bench --corpus
 struct CorpusCommand {
   CommonOptions common;
@@ -63,7 +73,16 @@ struct CorpusCommand {
 
 struct InfoCommand {
   CommonOptions common;
-  std::string case_file;
+  std::string case_file;  ///< or a packing or network file
+  FileOptions file;
+  std::string matrix;  ///< folder that the system is written to; empty = none
+};
+
+/// superstep init
+struct InitCommand {
+  CommonOptions common;
+  std::string packing_file, case_file;
+  FileOptions file;
 };
 
 struct StabilityCommand {
@@ -113,7 +132,7 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, CorpusCommand, InfoCommand,
+using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, CorpusCommand, InfoCommand, InitCommand,
                              StabilityCommand, GateCommand, CompareCommand, PackCommand, ListCommand,
                              ReportCommand, CompletionCommand, ShowText>;
 
@@ -123,6 +142,7 @@ int execute(const BenchCommand& command);
 int execute(const WorkPrecisionCommand& command);
 int execute(const CorpusCommand& command);
 int execute(const InfoCommand& command);
+int execute(const InitCommand& command);
 int execute(const StabilityCommand& command);
 int execute(const GateCommand& command);
 int execute(const CompareCommand& command);

@@ -11,6 +11,7 @@
 #include "core/atomic_file.hpp"
 #include "core/stopwatch.hpp"
 #include "core/text/options.hpp"
+#include "packing/formats/stated.hpp"
 #include "results/results_json.hpp"
 #include "results/text/csv_text.hpp"
 
@@ -60,6 +61,9 @@ std::optional<SteadyCurrent> steady_current(const Scene& scene) {
 
 std::string final_csv(const Scene& scene, double t, std::span<const double> state) {
   Buffer out;
+  if (scene.packed && scene.packed->packing.cell && scene.packed->packing.cell->is_periodic())
+    append(out, "{}",
+           cell_comment(*scene.packed->packing.cell));  // so that it reads back with the same contacts
   append(out, "id{}", scene.packed ? ",x,y,z,r" : "");
   std::vector<std::vector<double>> values;
   for (const std::size_t f : field_order(scene)) {

@@ -187,9 +187,14 @@ void list_field_skips(const FieldScene& field, bool only, Scene& scene) {
   const std::string of_field = only ? "" : fmt::format(" of the {}", field.name);
   if (const auto fixed = count(NodeRole::fixed); fixed > 0)
     scene.skips.push_back({fmt::format("{} fixed nodes{}", fixed, of_field), "their values are known"});
-  if (field.idle_clusters > 0)
+  const auto algebraic = field.algebraic.size();
+  if (algebraic > 0)
+    scene.skips.push_back({fmt::format("{} nodes of capacity 0{}", algebraic, of_field),
+                           "they are eliminated: their values follow from their neighbours"});
+  if (field.idle_clusters > algebraic)
     scene.skips.push_back(
-        {fmt::format("{} nodes in {} clusters{}", count(NodeRole::idle), field.idle_clusters, of_field),
+        {fmt::format("{} nodes in {} clusters{}", static_cast<std::size_t>(count(NodeRole::idle)) - algebraic,
+                     field.idle_clusters - algebraic, of_field),
          "their values are uniform and nothing acts on them"});
   if (field.steady && field.floating_clusters > 0)
     scene.skips.push_back(

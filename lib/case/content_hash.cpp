@@ -31,7 +31,7 @@ std::string content_hash(const TomlTable& root) {
     if (leaf.text.empty()) continue;
     const std::string file = beside_case(root.file(), leaf.text);
     std::error_code none;
-    if (std::filesystem::is_regular_file(file, none)) hash.add(read_text_file(file));
+    if (std::filesystem::is_regular_file(file, none)) hash.add(read_file(file));
   }
   return hash.text();
 }

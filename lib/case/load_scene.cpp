@@ -5,9 +5,10 @@
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/materials.hpp"
+#include "case/network/read_network_scene.hpp"
+#include "case/packed/assign_materials.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
-#include "case/read_network_scene.hpp"
 #include "case/read_packing_scene.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
@@ -22,8 +23,8 @@ constexpr double default_resolve_change = 1e-6;
 /// A misspelt table is said first: what follows would only miss it.
 void require_known_tables(TomlTable& root) {
   for (const char* key :
-       {"title", "source", "t_end", "output_times", "probe", "bench", "corpus", "published", "network", "packing",
-        "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
+       {"title", "source", "t_end", "output_times", "probe", "bench", "corpus", "published", "network",
+        "packing", "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
     (void)root.find(key);
   root.finish();
 }
@@ -77,6 +78,8 @@ Coupling read_particles(TomlTable& root, Scene& scene) {
   if (!thermal && !electric)
     root.missing("thermal", "neither [thermal] nor [electric] is there; give one field to integrate");
   PackingInput input = read_packing_scene(root);
+  input.t_end = scene.t_end;
+  assign_materials(root, input.unit, input.scene.packing);
   Materials materials(root, input.scene.packing);
   Coupling coupling = read_coupling(root, thermal && electric);
   if (electric) {
@@ -118,9 +121,13 @@ Scene load_scene(TomlTable root) {
   require_laws_to_hold(scene);
   build_rhs(scene.file, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);
-  scene.warnings = range_warnings(scene);
+  const auto ranges = range_warnings(scene);
+  scene.warnings.insert(scene.warnings.end(), ranges.begin(), ranges.end());
   if (scene.packed && !scene.packed->packing.frame.empty())
     scene.warnings.push_back(fmt::format("the packing is {} of its file", scene.packed->packing.frame));
+  if (scene.packed)
+    scene.warnings.insert(scene.warnings.end(), scene.packed->packing.warnings.begin(),
+                          scene.packed->packing.warnings.end());
   for (const auto& field : scene.fields)
     scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
   return scene;
@@ -136,6 +143,7 @@ std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::spa
                    : graph.is_fixed[node] ? graph.fixed_at(node, t)
                                           : graph.initial[node];
   }
+  recover_algebraic_values(fields[field].algebraic, graph, t, values);
   return values;
 }
 

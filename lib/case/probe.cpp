@@ -28,7 +28,15 @@ Probe by_id(const TomlValue& value, const Scene& scene) {
   const auto& ids = scene.fields.front().graph.id;
   const auto found = std::find(ids.begin(), ids.end(), value.integer());
   if (found == ids.end()) value.reject("it must be the id of a node");
-  return {std::to_string(*found), *found, static_cast<std::int32_t>(found - ids.begin())};
+  const auto node = static_cast<std::int32_t>(found - ids.begin());
+  for (const auto& field : scene.fields)
+    for (const auto& algebraic : field.algebraic)
+      if (algebraic.node == node)
+        value.reject(
+            "the node has capacity 0 and is no part of the state; probe one of its neighbours, or give it a "
+            "small "
+            "capacity");
+  return {std::to_string(*found), *found, node};
 }
 
 Probe read_probe(const TomlValue& value, const Scene& scene) {

@@ -6,7 +6,8 @@
 #include <numbers>
 
 #include "case/checks/warnings.hpp"
-#include "case/read_inputs.hpp"
+#include "case/inputs/read_initial.hpp"
+#include "case/inputs/read_inputs.hpp"
 #include "contact/conductance.hpp"
 #include "core/error.hpp"
 
@@ -39,7 +40,7 @@ void set_conductances(const PackingInput& input, const FieldMaterials& field, Fi
     const double kappa_j = field.of_material[static_cast<std::size_t>(b)].conductivity.value;
     const double neck = contacts.neck_radius[k];
     if (input.pipe) {
-      const double distance = norm(packing.centre[i] - packing.centre[j]);
+      const double distance = norm(branch(packing, contacts, k));
       graph.conductance.push_back(pipe_conductance(kappa_i, kappa_j, neck, distance));
       scene.bare.push_back(graph.conductance.back());
     } else {
@@ -76,12 +77,12 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   auto& graph = scene.graph;
   graph.id = packing.id;
   graph.source.assign(packing.size(), 0.0);
-  graph.initial.assign(packing.size(), table.number("initial").value_or(0.0));
+  graph.initial = read_initial(table, graph.id, &packing);
   graph.fixed_value.assign(packing.size(), 0.0);
   graph.is_fixed.assign(packing.size(), 0);
   set_capacities(packing, materials, field, graph);
   set_conductances(input, field, scene);
-  read_inputs(table, packing, input.unit, kind.name == thermal_kind().name, graph);
+  read_inputs(table, input, kind.name == thermal_kind().name, graph);
   return scene;
 }
 

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <numbers>
-#include <unordered_map>
 
-#include "contact/search.hpp"
+#include "case/packed/packing_options.hpp"
+#include "case/packed/read_contacts.hpp"
 #include "core/error.hpp"
-#include "core/text/csv.hpp"
-#include "core/text/suggest.hpp"
 #include "packing/generate.hpp"
 #include "packing/grid.hpp"
 #include "packing/pack_checks.hpp"
@@ -135,92 +132,6 @@ CaseContainer read_container(TomlTable table, double unit) {
   return container;
 }
 
-/// Neck radii of `i,j,radius` rows (ids of the packing, metres x unit) for contacts that the search found, or
-/// on top.
-void read_given_necks(const std::string& path, double unit, const Packing& packing, Contacts& contacts) {
-  enum : std::size_t { i, j, radius };
-  std::unordered_map<std::int64_t, std::int32_t> position;
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    position.emplace(packing.id[k], static_cast<std::int32_t>(k));
-  struct Neck {
-    std::int32_t i, j;
-    double radius;
-    std::size_t line;
-  };
-  std::vector<Neck> necks;
-  CsvReader rows(path, {"i", "j", "radius"});
-  while (rows.next()) {
-    const auto a = position.find(rows.integer(i)), b = position.find(rows.integer(j));
-    if (a == position.end() || b == position.end())
-      throw InputError(
-          fmt::format("{}: contact {}-{} names an unknown id; both must be particles of the packing",
-                      rows.where(), rows.integer(i), rows.integer(j)));
-    if (a->second == b->second || !(rows.number(radius) > 0))
-      throw InputError(
-          fmt::format("{}: contact {}-{} with neck radius {}; it must join two particles and be > 0",
-                      rows.where(), rows.integer(i), rows.integer(j), rows.number(radius)));
-    necks.push_back({std::min(a->second, b->second), std::max(a->second, b->second),
-                     unit * rows.number(radius), rows.line()});
-  }
-  std::sort(necks.begin(), necks.end(), [](const Neck& a, const Neck& b) {
-    return std::tie(a.i, a.j, a.line) < std::tie(b.i, b.j, b.line);
-  });
-  contacts = {};
-  for (std::size_t k = 0; k < necks.size(); ++k) {
-    const auto& neck = necks[k];
-    if (k > 0 && necks[k - 1].i == neck.i && necks[k - 1].j == neck.j)
-      throw InputError(fmt::format("{}:{}: this contact stands already in line {}; keep one", path, neck.line,
-                                   necks[k - 1].line));
-    const auto a = static_cast<std::size_t>(neck.i), b = static_cast<std::size_t>(neck.j);
-    contacts.i.push_back(neck.i);
-    contacts.j.push_back(neck.j);
-    contacts.overlap.push_back(packing.radius[a] + packing.radius[b] -
-                               norm(packing.centre[a] - packing.centre[b]));
-    contacts.neck_radius.push_back(neck.radius);
-  }
-}
-
-/// `place` [text]: where the particles come from, for errors about them.
-void read_contacts(TomlTable& table, const std::string& case_path, const std::string& place, double unit,
-                   PackingScene& scene) {
-  const auto neck = table.require("neck", "it names the neck law, e.g. \"volume-preserving\"");
-  scene.neck = neck.string();
-  if (scene.neck == "given") {
-    const auto file = table.require("file", "with neck = \"given\" it names a CSV with i,j,radius");
-    read_given_necks(beside_case(case_path, file.string()), unit, scene.packing, scene.contacts);
-    return;
-  }
-  const NeckLaw* law = find_neck_law(scene.neck);
-  if (!law) {
-    std::vector<std::string> names = {"given"};
-    for (const auto& known : neck_laws()) names.push_back(known.name);
-    neck.reject("it must name a neck law" + suggestion(scene.neck, names));
-  }
-  NeckParameters parameters;
-  if (const auto hardening = table.find("hardening")) {
-    parameters.hardening = hardening->number();
-    if (!(parameters.hardening >= 0.5 && parameters.hardening <= 1.45))
-      hardening->reject("it must lie between 0.5 (linear hardening) and 1.45 (perfectly plastic)");
-  }
-  try {
-    scene.contacts = find_contacts(scene.packing);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", place, error.what()));
-  }
-  scene.neck_report = apply_neck_law(scene.packing, *law, parameters, scene.contacts);
-}
-
-/// A packing file that states its unit decides; a case that says otherwise contradicts it.
-void adopt_stated_unit(const std::string& file, const std::optional<TomlValue>& of_case, double& unit) {
-  const std::string stated = stated_length_unit(file);
-  if (stated.empty()) return;
-  const double own = length_unit(stated, file);
-  if (of_case && own != unit)
-    of_case->reject(fmt::format("{} states that its lengths are in {}; give that unit, or leave this key out",
-                                file, stated));
-  unit = own;
-}
-
 }  // namespace
 
 std::string beside_case(const std::string& case_path, const std::string& file) {
@@ -233,26 +144,29 @@ PackingInput read_packing_scene(TomlTable& root) {
   if (!packing)
     root.missing("packing", "[packing] is missing; name a packing file or a generator, or give a [network]");
   PackingInput input;
-  const auto unit = packing->find("length_unit");
-  if (unit) input.unit = length_unit(unit->string(), unit->where());
+  const PackingOptions options = read_packing_options(*packing);
   const auto file = packing->find("file"), generator = packing->find("generator");
   if (!file && !generator) packing->missing("file", "give either 'file' or 'generator', one of them");
   if (file && generator)
     throw InputError(fmt::format("{}: give either 'file' or 'generator', one of them", packing->where()));
-  if (file) adopt_stated_unit(beside_case(root.file(), file->string()), unit, input.unit);
+  if (generator)
+    for (const char* key : {"units", "periodic", "box", "format", "atom_style", "columns"})
+      if (const auto value = packing->find(key))
+        value->reject("it says how a packing file is read, and the case has a generator; leave it out");
+  input.unit = options.length_unit.value_or(1.0);
+  input.scene.packing = file ? read_packing(beside_case(root.file(), file->string()), options)
+                             : generate(*packing, *generator, input.unit);
+  if (file) input.unit = input.scene.packing.length_unit;
   input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))
     input.scene.container = read_container(*container, input.unit);
-  input.scene.packing = file ? read_packing(beside_case(root.file(), file->string()), input.unit)
-                             : generate(*packing, *generator, input.unit);
   auto contact = root.table("contact");
   if (!contact) root.missing("contact", "[contact] is missing; it names the neck law");
   if (const auto law = contact->find("conductance")) {
     input.pipe = law->string() == "pipe";
     if (!input.pipe && law->string() != "series") law->reject("it must be \"series\" or \"pipe\"");
   }
-  const std::string place = file ? beside_case(root.file(), file->string()) : generator->where();
-  read_contacts(*contact, root.file(), place, input.unit, input.scene);
+  read_contacts(*contact, file ? beside_case(root.file(), file->string()) : generator->where(), input.scene);
   return input;
 }
 

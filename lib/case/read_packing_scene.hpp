@@ -13,6 +13,7 @@ struct PackingInput {
   PackingScene scene;
   double unit = 1;    ///< m per case length
   bool pipe = false;  ///< conductance law: pipe instead of series
+  double t_end = 0;   ///< s; how far repeated profiles reach
 };
 
 /// Reads `[packing]` and `[contact]` from the root table. Files are looked up beside the case. Throws

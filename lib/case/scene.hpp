@@ -12,6 +12,7 @@
 #include "case/case_head.hpp"
 #include "contact/contact.hpp"
 #include "contact/neck.hpp"
+#include "network/eliminate.hpp"
 #include "network/network.hpp"
 #include "packing/packing.hpp"
 #include "rhs/nonlinear_rhs.hpp"
@@ -62,6 +63,7 @@ struct FieldScene {
   std::size_t idle_clusters = 0;          ///< components in which nothing can change
   std::size_t floating_clusters = 0;      ///< components without a fixed node that are integrated
   std::vector<std::string> warnings;      ///< about its materials
+  std::vector<AlgebraicNode> algebraic;   ///< nodes of capacity 0, which are no part of the state
   double low = 0, high = 0;               ///< range of initial and fixed values
   double origin = 0;                      ///< K or V: entries of the state are differences from it
 

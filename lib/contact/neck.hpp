@@ -13,6 +13,7 @@ namespace superstep {
 /// Parameters that a law may use; a law ignores the others.
 struct NeckParameters {
   double hardening = 1.45;  ///< plastic: f_c^2, 0.5 (linear hardening) to 1.45 (perfectly plastic)
+  double bond_radius = 0;   ///< m; no neck is narrower, and contacts across a gap have it; 0 = no gaps
 };
 
 struct NeckLaw {
@@ -34,9 +35,9 @@ struct NeckReport {
   std::size_t saturated = 0;  ///< contacts deeper than the saturation overlap of the volume-preserving neck
 };
 
-/// Fills `contacts.neck_radius`, limited to the smaller of the two radii. A contact inside a bond gap
-/// (overlap <= 0) gets no neck of its own from a formula and is an error: give its neck radius in a contact
-/// file.
+/// Fills `contacts.neck_radius`, limited to the smaller of the two radii. A contact across a gap (overlap <=
+/// 0) gets no neck from a formula: without a bond radius it is an error, whose way out is one, or a file of
+/// bonds.
 NeckReport apply_neck_law(const Packing& packing, const NeckLaw& law, const NeckParameters& parameters,
                           Contacts& contacts);
 

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "core/error.hpp"
 #include "packing/near_pairs.hpp"
+#include "packing/periodic_pairs.hpp"
 
 namespace superstep {
 namespace {
@@ -20,20 +23,35 @@ namespace {
       packing.id[inner], packing.radius[inner], packing.id[outer], packing.radius[outer], distance));
 }
 
+/// Takes a near pair as a contact if it is one.
+void take(const Packing& packing, double gap, const ImagePair& pair, Contacts& contacts) {
+  const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+  Vec3 between = packing.centre[j] - packing.centre[i];
+  const bool is_moved = pair.image != std::array<std::int8_t, 3>{};
+  if (is_moved) between = between + packing.cell->shift({pair.image[0], pair.image[1], pair.image[2]});
+  const double distance = norm(between);
+  const double overlap = packing.radius[i] + packing.radius[j] - distance;
+  if (!(overlap > -gap)) return;
+  if (distance <= std::abs(packing.radius[i] - packing.radius[j])) refuse_swallowed(packing, i, j, distance);
+  contacts.i.push_back(pair.i);
+  contacts.j.push_back(pair.j);
+  contacts.overlap.push_back(overlap);
+}
+
 }  // namespace
 
-Contacts find_contacts(const Packing& packing, double gap) {
+Contacts find_contacts(const Packing& packing, double gap, bool own_images) {
   Contacts contacts;
-  for (const auto [first, second] : near_pairs(packing.centre, packing.radius, gap)) {
-    const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-    const double distance = norm(packing.centre[i] - packing.centre[j]);
-    const double overlap = packing.radius[i] + packing.radius[j] - distance;
-    if (!(overlap > -gap)) continue;
-    if (distance <= std::abs(packing.radius[i] - packing.radius[j]))
-      refuse_swallowed(packing, i, j, distance);
-    contacts.i.push_back(first);
-    contacts.j.push_back(second);
-    contacts.overlap.push_back(overlap);
+  if (!packing.cell || !packing.cell->is_periodic()) {
+    for (const auto [i, j] : near_pairs(packing.centre, packing.radius, gap))
+      take(packing, gap, {i, j, {}}, contacts);
+    return contacts;
+  }
+  for (const auto& pair : periodic_pairs(packing.centre, packing.radius, gap, *packing.cell)) {
+    if (pair.i == pair.j && !own_images) continue;
+    const std::size_t before = contacts.size();
+    take(packing, gap, pair, contacts);
+    if (contacts.size() > before) contacts.image.push_back(pair.image);
   }
   return contacts;
 }

@@ -64,7 +64,12 @@ void permute_rows(const Adjacency& a, const std::vector<std::int32_t>& order, Ne
     for (auto k = a.row_begin[at(old)]; k < a.row_begin[at(old) + 1]; ++k)
       entries.emplace_back(new_row[at(a.neighbour[at(k)])], a.conductance[at(k)]);
     std::sort(entries.begin(), entries.end());
+    const auto begin = network.column.size();
     for (const auto& [column, conductance] : entries) {
+      if (network.column.size() > begin && network.column.back() == column) {
+        network.conductance.back() += conductance;  // edges that run parallel are one to the network
+        continue;
+      }
       network.column.push_back(column);
       network.conductance.push_back(conductance);
     }
@@ -200,7 +205,11 @@ double min_pair_step(const Graph& graph, std::span<const NodeRole> roles,
   for (std::size_t k = 0; k < graph.edges(); ++k) {
     const auto i = at(graph.i[k]), j = at(graph.j[k]);
     if (!(conductance[k] > 0) || (roles[i] != NodeRole::free && roles[j] != NodeRole::free)) continue;
-    const double equivalent = 2 / (1 / graph.capacity[i] + 1 / graph.capacity[j]);
+    // A fixed node without a capacity is as slow as can be.
+    const auto inverse = [&](std::size_t node) {
+      return graph.capacity[node] > 0 ? 1 / graph.capacity[node] : 0.0;
+    };
+    const double equivalent = 2 / (inverse(i) + inverse(j));
     smallest = std::min(smallest, equivalent / conductance[k]);
   }
   return smallest;

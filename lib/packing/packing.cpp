@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/text/delimited.hpp"
+
 namespace superstep {
+
+const PackingAttribute* find_attribute(const Packing& packing, const std::string& name) {
+  for (const auto& attribute : packing.attributes)
+    if (attribute.name == name) return &attribute;
+  for (const auto& attribute : packing.attributes)
+    if (lower_case(attribute.name) == lower_case(name)) return &attribute;
+  return nullptr;
+}
 
 Bounds surface_bounds(const Packing& packing) {
   const auto corner = [&](std::size_t k, double sign) {

@@ -2,12 +2,20 @@
 /// A packing of spheres: what every network is built from.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "packing/cell.hpp"
 
 namespace superstep {
+
+/// A column of the file that says more of each particle than where it is, in the file's own units.
+struct PackingAttribute {
+  std::string name;           ///< as the file writes it
+  std::vector<double> value;  ///< [n]; NaN where the file has no number
+};
 
 /// n spheres, structure of arrays, SI units.
 struct Packing {
@@ -17,6 +25,12 @@ struct Packing {
   std::vector<std::int32_t> material;  ///< [n] index into material_names; all 0 where the file names none
   std::vector<std::string> material_names;  ///< empty where the file names none
   std::string frame;  ///< which of the frames of its file this is, in words; empty where there is one
+  std::vector<PackingAttribute> attributes;  ///< in the order of the file
+  std::optional<Cell> cell;                  ///< m; the box that the file or the user states
+  double length_unit = 1;                    ///< m; of the lengths in the file
+  std::string format;                        ///< what the file is, in words; empty for a packing from no file
+  std::vector<std::string> notes;            ///< how the file was understood
+  std::vector<std::string> warnings;         ///< what its user should look at
 
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
 };
@@ -25,6 +39,9 @@ struct Packing {
 struct Bounds {
   Vec3 min, max;
 };
+
+/// The attribute of that name, upper and lower case being the same; nullptr where there is none.
+[[nodiscard]] const PackingAttribute* find_attribute(const Packing& packing, const std::string& name);
 
 /// Box around the surfaces of all spheres. The packing must not be empty.
 [[nodiscard]] Bounds surface_bounds(const Packing& packing);

@@ -1,68 +1,174 @@
 #include "packing/read.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <fstream>
+#include <array>
+#include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
-#include "core/text/number.hpp"
+#include "core/text/suggest.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
-#include "packing/formats/text_row.hpp"
+#include "packing/formats/stated.hpp"
 
 namespace superstep {
 namespace {
 
-using Reader = Packing (*)(const PackingFile&);
-
-bool all_numbers(const TextRow& row) {
-  for (std::size_t k = 0; k < row.size(); ++k)
-    if (!parse_number(row[k])) return false;
-  return true;
+/// Every format, in the order in which a file is held against them.
+const std::vector<PackingFormat>& formats() {
+  static const std::vector<PackingFormat> list = {
+      doubles_format(),     vtk_legacy_format(), vtk_xml_format(), yade_format(),  lammps_data_format(),
+      lammps_dump_format(), mercury_format(),    xyz_format(),     table_format(),
+  };
+  return list;
 }
 
-/// The reader that the beginning of the text asks for; nullptr when it looks like none of the blank-separated
-/// formats.
-Reader recognise(std::string_view text) {
-  constexpr std::size_t mercury_header = 8, header_lines = 100;
-  LineReader lines(text);
-  TextRow row{std::string{}};
-  bool is_first = true;
-  while (lines.next() && lines.number() <= header_lines) {
-    row.split(lines.line(), lines.number());
-    if (row.size() == 0) continue;
-    if (row[0] == "#format") return read_yade;
-    if (row.size() >= 2 && row[1] == "atoms" && parse_integer(row[0])) return read_lammps_data;
-    if (row[0].front() == '#') continue;
-    if (is_first && row[0] == "ITEM:") return read_lammps_dump;
-    if (is_first && row.size() == mercury_header && all_numbers(row)) return read_mercury;
-    is_first = false;
-  }
-  return nullptr;
+std::string format_names() {
+  std::vector<std::string> names;
+  for (const auto& format : formats()) names.push_back(format.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// A text without a comma in its first line cannot be CSV.
-void require_csv(const std::string& path, std::string_view text) {
-  LineReader lines(text);
+[[noreturn]] void refuse(const PackingFile& file) {
+  if (!file.is_text)
+    throw InputError(
+        fmt::format("{}: holds NUL bytes, so it is binary, and begins none of the binary formats: VTK, or "
+                    "rows of four doubles, to be declared by [packing] format = \"xyzd\" or \"xyzr\"",
+                    file.path));
+  LineReader lines(file.content);
   while (lines.next() && (trimmed(lines.line()).empty() || trimmed(lines.line()).front() == '#')) {
   }
-  if (lines.line().find(',') == std::string_view::npos)
+  throw InputError(
+      fmt::format("{}:{}: line {} begins none of the known formats: {}; write the packing as one of these",
+                  file.path, lines.number(), quoted(lines.line()), format_names()));
+}
+
+const PackingFormat& choose_format(const PackingFile& file) {
+  for (const auto& format : formats())
+    if (format.recognises(file)) return format;
+  refuse(file);
+}
+
+/// What the user says about the box and its sides, on top of what the file says.
+void apply_box(const PackingOptions& options, const std::string& path, Packing& packing) {
+  const std::string place = options.place.empty() ? path : options.place;
+  if (options.box && packing.cell)
+    throw InputError(fmt::format("{}: {} states its box; leave out [packing] box", place, path));
+  if (options.box) {
+    packing.cell = options.box;
+    packing.cell->origin = packing.length_unit * packing.cell->origin;
+    for (auto& edge : packing.cell->edge) edge = packing.length_unit * edge;
+  }
+  if (options.periodic != "auto") {
+    const auto edges = periodic_edges(options.periodic, place);
+    if (!packing.cell && (edges[0] || edges[1] || edges[2]))
+      throw InputError(
+          fmt::format("{}: periodic is \"{}\", and {} states no box; give [packing] box = {{ min, max }}",
+                      place, options.periodic, path));
+    if (packing.cell) {
+      const std::string stated = packing.cell->periodic_axes();
+      packing.cell->periodic = edges;
+      if (const std::string now = packing.cell->periodic_axes(); stated != "none" && now != stated)
+        packing.warnings.push_back(
+            fmt::format("{}: the file says that its box is periodic along {}, the case says {}: "
+                        "contacts across the other sides are left out",
+                        path, stated, now));
+    }
+  }
+  if (!packing.cell || !packing.cell->is_periodic()) return;
+  if (!(packing.cell->volume() > 0))
     throw InputError(
-        fmt::format("{}:{}: line {} begins none of the known formats: CSV with header id,x,y,z,radius, "
-                    "LAMMPS/LIGGGHTS dump or data, Yade text with #format, MercuryDPM .data in 3-D; write "
-                    "the packing as one of these",
-                    path, lines.number(), quoted(lines.line())));
+        fmt::format("{}: the box is periodic along {} and has no volume; mend its bounds, or say periodic = "
+                    "\"none\"",
+                    path, packing.cell->periodic_axes()));
+  packing.notes.push_back(
+      fmt::format("periodic along {}: contacts reach across these sides", packing.cell->periodic_axes()));
+  for (auto& centre : packing.centre) centre = packing.cell->wrapped(centre);
+}
+
+void require_content(const std::string& path, std::string_view content) {
+  if (content.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw InputError(fmt::format("{}: is empty; a packing file with content is expected", path));
+}
+
+PackingFile open(const std::string& path, const std::string& content, const PackingOptions& options) {
+  require_content(path, content);
+  PackingFile file{.path = path,
+                   .content = content,
+                   .options = options,
+                   .stated = std::nullopt,
+                   .is_text = content.find('\0') == std::string::npos};
+  if (file.is_text) file.stated = stated_length_unit(path, content);
+  return file;
 }
 
 }  // namespace
 
-Packing read_packing(const std::string& path, double unit) {
-  {
-    const std::string text = read_text_file(path);
-    if (const Reader reader = recognise(text)) return reader({path, text, unit});
-    require_csv(path, text);
+double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_format, Packing& packing) {
+  std::optional<StatedUnit> claim;
+  const std::string place = file.options.place.empty() ? file.path : file.options.place;
+  const auto take = [&](const std::optional<StatedUnit>& other) {
+    if (!other || other->metres == 0) return;
+    constexpr double rounding = 1e-12;
+    if (claim && std::abs(claim->metres - other->metres) > rounding * claim->metres)
+      throw InputError(fmt::format(
+          "{}: the unit of length is {}, and {} states that its lengths are in {}; give that unit, or "
+          "leave this key out",
+          place, claim->words, file.path, other->words));
+    if (!claim) claim = other;
+  };
+  if (file.options.length_unit)
+    claim = StatedUnit{*file.options.length_unit, length_unit_name(*file.options.length_unit)};
+  if (file.options.units != "auto") {
+    const auto metres = unit_style_length(file.options.units);
+    if (!metres)
+      throw InputError(fmt::format("{}: units is {}; it must be auto or a unit style{}", place,
+                                   quoted(file.options.units),
+                                   suggestion(file.options.units, unit_styles())));
+    take(StatedUnit{*metres, fmt::format("units {}", file.options.units)});
   }
-  return read_csv(path, unit);
+  take(file.stated);
+  take(by_format);
+  const bool dimensionless = (by_format && by_format->metres == 0) || file.options.units == "lj";
+  if (claim)
+    packing.notes.push_back(fmt::format("lengths are in {}", claim->words));
+  else if (dimensionless)
+    packing.warnings.push_back(
+        fmt::format("{}: its lengths have no dimension (units lj) and are taken as metres; give "
+                    "length_unit",
+                    file.path));
+  else
+    packing.notes.push_back("the file states no unit of length: m");
+  return claim ? claim->metres : 1.0;
+}
+
+Packing read_packing(const std::string& path, const PackingOptions& options) {
+  const std::string content = read_file(path);
+  const PackingFile file = open(path, content, options);
+  const PackingFormat& format = choose_format(file);
+  if (!options.atom_style.empty() && format.name != lammps_data_format().name)
+    throw InputError(fmt::format("{}: atom_style is for LAMMPS/LIGGGHTS data, and {} is {}; leave it out",
+                                 options.place.empty() ? path : options.place, path, format.name));
+  Packing packing = format.read(file);
+  packing.format = format.name;
+  apply_box(options, path, packing);
+  return packing;
+}
+
+Packing read_packing(const std::string& path, double unit) {
+  PackingOptions options;
+  options.length_unit = unit;
+  return read_packing(path, options);
+}
+
+std::string recognised_format(const std::string& path) {
+  const std::string content = read_file(path);
+  const PackingFile file = open(path, content, {});
+  for (std::size_t k = 0; k + 1 < formats().size(); ++k)
+    if (formats()[k].recognises(file)) return formats()[k].name;
+  return {};
 }
 
 bool reads_as_packing(const std::string& path) {
@@ -72,39 +178,6 @@ bool reads_as_packing(const std::string& path) {
   } catch (const InputError&) {
     return false;
   }
-}
-
-std::string stated_length_unit(const std::string& path) {
-  constexpr std::string_view key = "length_unit";
-  require_regular_file(path);
-  std::ifstream stream(
-      path);  // the comments at the top alone: whoever reads the rest says what is wrong with it
-  std::size_t number = 0;
-  for (std::string text; std::getline(stream, text);) {
-    ++number;
-    std::string_view line = trimmed(text);
-    if (line.empty()) continue;
-    if (line.front() != '#') break;
-    line = trimmed(line.substr(1));
-    if (!line.starts_with(key)) continue;
-    line = trimmed(line.substr(key.size()));
-    if (line.empty() || line.front() != '=') continue;
-    line = trimmed(line.substr(1));
-    if (line.size() >= 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
-    const std::string name(line);
-    (void)length_unit(name, fmt::format("{}:{}", path, number));
-    return name;
-  }
-  return {};
-}
-
-double length_unit(const std::string& name, const std::string& where) {
-  if (name == "m") return 1.0;
-  if (name == "cm") return 1e-2;
-  if (name == "mm") return 1e-3;
-  if (name == "um") return 1e-6;
-  if (name == "nm") return 1e-9;
-  throw InputError(fmt::format("{}: length unit is {}; valid are: m, cm, mm, um, nm", where, quoted(name)));
 }
 
 }  // namespace superstep

@@ -20,6 +20,29 @@ void write_lattice(const CaseFolder& folder) {
   folder.write("lattice.csv", plain);
   folder.write("named.csv", named);
   folder.write("necks.csv", necks);
+  std::string start = "id,temperature,potential\n";
+  for (int id = 0; id < 27; ++id) start += fmt::format("{},300.5,0.0\n", id);
+  folder.write("start.csv", start);
+  folder.write("bonds.csv", "i,j,radius\n0,1,0.2\n0,4,0.2\n");
+  folder.write("profile.csv", "t,P\n0,1\n0.5,2\n0.5,1\n2,1\n");
+}
+
+/// Four spheres in a row, as LAMMPS writes them.
+void write_grains(const CaseFolder& folder) {
+  std::string text = "title\n\n4 atoms\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms\n\n";
+  for (int id = 1; id <= 4; ++id) text += fmt::format("{} 1 4.5 4.5 {} 2.0 2500\n", id, 1.9 * id);
+  folder.write("grains.data", text);
+}
+
+void write_networks(const CaseFolder& folder) {
+  folder.write(
+      "K.mtx",
+      "%%MatrixMarket matrix coordinate real symmetric\n4 4 7\n1 1 1\n2 1 -1\n2 2 2.5\n3 2 -1\n3 3 2\n"
+      "4 3 -1\n4 4 1\n");
+  folder.write("start4.csv", "id,value\n1,0\n2,1\n3,2\n4,3\n");
+  folder.write("pores.csv",
+               "pore.coords[0],pore.left,pore.volume,throat.conns[0],throat.conns[1],throat.k\n"
+               "0,True,1,0,1,2\n1,False,2,1,2,3\n2,False,3,,,\n");
 }
 
 Tree head() {
@@ -37,12 +60,20 @@ Tree selections() {
     "top" ])");
 }
 
-/// An entry for each selection; the first has a table of time.
+/// Tables of time from `value` on: in the case, which repeats, and in a file.
+Tree listed_table(double value) {
+  return {{"times", {0.0, 1.0}}, {"values", {value, value + 1}}, {"scale", 1.0}, {"period", 2.0}};
+}
+Tree table_in_file(double value) {
+  return {{"file", "profile.csv"}, {"time", "t"}, {"value", "P"}, {"scale", value}, {"outside", "clamp"}};
+}
+
+/// An entry for each selection; the first two have tables of time.
 Tree entries(const std::string& amount, double value, const Tree& more = Tree::object()) {
   Tree out = Tree::array();
   for (const auto& where : selections()) {
     Tree entry = {{"where", where}};
-    entry[amount] = out.empty() ? Tree{{"times", {0.0, 1.0}}, {"values", {value, value + 1}}} : Tree(value);
+    entry[amount] = out.empty() ? listed_table(value) : out.size() == 1 ? table_in_file(value) : Tree(value);
     entry.update(more);
     out.push_back(entry);
   }
@@ -96,11 +127,15 @@ Tree full_head() {
 Tree fields() {
   Tree tree = full_head();
   tree["probe"] = {"mid-height", 13};
-  tree["packing"] = Tree::parse(R"({ "file": "lattice.csv", "length_unit": "mm",
-    "container": { "width": 5.8, "depth": 5.8, "height": 5.8 } })");
+  tree["packing"] =
+      Tree::parse(R"({ "file": "lattice.csv", "length_unit": "mm", "units": "auto", "format": "auto",
+    "periodic": "none", "box": { "min": [-1.0, -1.0, -1.0], "max": [4.8, 4.8, 4.8] },
+    "columns": ["id", "x", "y", "z", "radius"], "container": { "width": 5.8, "depth": 5.8, "height": 5.8 } })");
   tree["material"] = {{"density", 1000.0}};
-  tree["contact"] = {{"neck", "plastic"}, {"hardening", 1.0}, {"conductance", "series"}};
+  tree["contact"] = {{"neck", "plastic"}, {"hardening", 1.0},    {"conductance", "series"},
+                     {"gap", 0.01},       {"bond_radius", 0.05}, {"bonds", "bonds.csv"}};
   tree["thermal"] = thermal("table");
+  tree["thermal"]["initial"] = {{"column", "temperature"}, {"file", "start.csv"}};
   tree["thermal"]["grain_boundary"] = {{"thickness", 1e-7}, {"reduction", 0.2}};
   tree["thermal"]["fixed"] = entries("value", 310);
   tree["thermal"]["source"] = entries("value", 1e-3);
@@ -154,7 +189,48 @@ Tree materials() {
     "thermal": { "thickness": 1e-7, "reduction": 0.2 }, "electric": { "thickness": 1e-7, "reduction": 0.2 } } ])");
   tree["contact"] = {{"neck", "given"}, {"file", "necks.csv"}};
   tree["thermal"] = {{"initial", 300.0}};
-  tree["electric"] = {{"initial", 0.0}};
+  tree["electric"] = {{"initial", {{"column", "potential"}, {"file", "start.csv"}}}};
+  return tree;
+}
+
+/// A material for each way to select, beside those that the packing names.
+Tree selected() {
+  Tree tree = materials();
+  tree["contact"] = {{"neck", "geometric"}};
+  for (const auto& where : selections()) {
+    Tree one = tree["materials"][0];
+    one["name"] = fmt::format("m{}", tree["materials"].size());
+    one["where"] = where;
+    tree["materials"].push_back(one);
+  }
+  return tree;
+}
+
+Tree lammps() {
+  Tree tree = head();
+  tree["packing"] = {
+      {"file", "grains.data"}, {"length_unit", "mm"}, {"atom_style", "hybrid sphere"}, {"periodic", "xyz"}};
+  tree["material"] = {{"density", 1000.0}};
+  tree["contact"] = {{"neck", "geometric"}};
+  tree["thermal"] = thermal("table");
+  return tree;
+}
+
+Tree matrix() {
+  Tree tree = head();
+  tree["network"] =
+      Tree::parse(R"({ "matrix": "K.mtx", "matrix_kind": "laplacian", "ambient": 1.0, "capacity": 1.0,
+    "initial": { "column": "value", "file": "start4.csv" } })");
+  tree["network"]["fixed"] =
+      Tree::array({{{"ids", {1}}, {"value", listed_table(1)}}, {{"ids", {4}}, {"value", table_in_file(2)}}});
+  return tree;
+}
+
+Tree pores() {
+  Tree tree = head();
+  tree["network"] =
+      Tree::parse(R"({ "openpnm": "pores.csv", "conductance": "throat.k", "capacity": "pore.volume",
+    "initial": 0.0, "fixed": [ { "label": "pore.left", "value": 1.0 } ] })");
   return tree;
 }
 
@@ -166,15 +242,14 @@ Tree network(const CaseFolder& folder) {
   return tree;
 }
 
-Tree generated_network() {
+Tree generated_network(Tree (*table)(double)) {
   Tree tree = full_head();
   tree["network"] = Tree::parse(R"({ "generator": "lattice", "size": 64, "contrast": 10.0, "spread": 2.0,
     "fraction": 0.1, "seed": 3, "field": "temperature", "initial": 0.5 })");
   const auto made = find_network_generator("lattice")->make(
       {.size = 64, .contrast = 10, .spread = 2, .fraction = 0.1, .seed = 3});
   tree["network"]["expect"] = network_hash(made);
-  for (const char* key : {"inlet", "outlet", "source"})
-    tree["network"][key] = {{"times", {0.0, 0.5}}, {"values", {0.0, 1.0}}};
+  for (const char* key : {"inlet", "outlet", "source"}) tree["network"][key] = table(1);
   return tree;
 }
 
@@ -223,6 +298,8 @@ Tree press_of_a_list() {
 
 std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
   write_lattice(folder);
+  write_grains(folder);
+  write_networks(folder);
   const Tree cylinder = Tree::parse(R"({ "generator": "cylinder", "length_unit": "mm", "diameter": 4.0,
     "height": 5.0, "relative_density": 0.5, "count": 40, "seed": 2,
     "sizes": { "distribution": "lognormal", "min": 0.3, "max": 2.0, "sigma": 0.4, "median": 1.0 },
@@ -241,9 +318,14 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"cylinder", CaseKey::packing, generated(cylinder, "linear")},
           {"box", CaseKey::packing, generated(box, "sigmoid")},
           {"listed", CaseKey::packing, generated(listed, "table")},
+          {"selected", CaseKey::packing, selected()},
+          {"lammps", CaseKey::packing, lammps()},
+          {"matrix", CaseKey::network, matrix()},
+          {"pores", CaseKey::network, pores()},
           {"grid", CaseKey::packing, generated_grid(grid)},
           {"network", CaseKey::network, network(folder)},
-          {"generated", CaseKey::network, generated_network()},
+          {"generated", CaseKey::network, generated_network(listed_table)},
+          {"driven", CaseKey::network, generated_network(table_in_file)},
           {"press", CaseKey::press, press()},
           {"list", CaseKey::press, press_of_a_list()}};
 }

@@ -7,7 +7,12 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace superstep;
   const fuzz::InputFile file(fuzz::text_of(data, size));
-  fuzz::read_or_refuse([&] { (void)stated_length_unit(file.path()); });
-  fuzz::read_or_refuse([&] { (void)find_contacts(read_packing(file.path(), 1e-3)); });
+  fuzz::read_or_refuse([&] { (void)recognised_format(file.path()); });
+  fuzz::read_or_refuse([&] {
+    const Packing packing = read_packing(file.path());
+    (void)find_contacts(packing, 0.0, true);
+    fuzz::InputFile again(packing_csv(packing));  // what was read can be written
+    (void)again;
+  });
   return 0;
 }

@@ -18,6 +18,21 @@ PACKINGS = {
     "data": "LAMMPS data\n\n2 atoms\n1 atom types\n\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms # sphere\n\n"
             "1 1 1.0 2500 0 0 0\n2 1 1.0 2500 0.9 0 0\n",
     "yade": "#format x_y_z_r\n0 0 0 1\n1.9 0 0 1\n",
+    "scaled": "ITEM: UNITS\nsi\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 3.5 1\n-0.25 3 0.5\n"
+              "0 4 -0.25\nITEM: ATOMS id type xs ys zs Radius f_T[0]\n1 1 0.1 0 0 0.5 1\n2 1 0.9 0 0 0.5 nan\n",
+    "hybrid": "t\n\n2 atoms\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms\n\n"
+              "1 1 1 1 1 2.0 2500\n2 1 2.9 1 1 2.0 2500 \n",
+    "attrs": "#format x_y_z_r_attrs\n#a b\n0 0 0 1 5 6\n1.9 0 0 1 7 8\n",
+    "flat": "2 0.5 0 0 9 9\n1 2 0 0 1 0 0 0\n2.9 2 0 0 1 0 0 1\n",
+    "xyz": "2\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3:radius:R:1 pbc=\"T T F\"\nA 0 0 0 1\nB 1.9 0 0 1\n",
+    "quoted": "\"radius\";\"Points:0\";\"Points:1\";\"Points:2\"\n1;0;0;0\n1;1.9;0;0\n",
+    "bare": "0 0 0 1\n1.9 0 0 1\n",
+    "legacy": "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1.9 0 0\nVERTICES 2 4\n1 0\n1 1\n"
+              "POINT_DATA 2\nSCALARS radius float 1\nLOOKUP_TABLE default\n1 1\n",
+    "vtp": "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece NumberOfPoints=\"2\">"
+           "<PointData><DataArray type=\"Float64\" Name=\"radius\" format=\"ascii\">1 1</DataArray></PointData><Points>"
+           "<DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1.9 0 0</DataArray></Points></Piece>"
+           "</PolyData></VTKFile>\n",
     "mercury": "2 0 0 0 0 1 1 1\n0 0 0 0 0 0 1 0 0 0 0 0 0 0\n1.9 0 0 0 0 0 1 0 0 0 0 0 0 0\n",
 }
 
@@ -43,6 +58,7 @@ def main():
     write(out / "network", "small", "id,capacity,source,initial,fixed\n0,1,0,0,\n1,1,0,0,5\n---\ni,j,conductance\n0,1,2\n")
     for name, text in PACKINGS.items():
         write(out / "packing", name, text)
+    write(out / "network", "matrix", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -2\n2 2 3\n---\n1\n2\n")
     for k, spec in enumerate(SPECS):
         write(out / "spec", str(k), spec)
     write(out / "results", "small", RESULTS)

@@ -60,7 +60,10 @@ INSTANTIATE_TEST_SUITE_P(
     Files, RefusedCsv,
     testing::Values(
         BadFile{"MissingColumn", "id,x,y,z\n1,0,0,0\n", {"p.csv:1:", "'radius' is missing"}},
-        BadFile{"UnknownColumn", "id,x,y,z,radius,colour\n", {"p.csv:1:", "'colour'"}},
+        BadFile{"MisspeltColumn",
+                "id,x,y,z,radus\n1,0,0,0,1\n",
+                {"p.csv:1:", "'radius' is missing", "is 'radus' meant"}},
+        BadFile{"ColumnTwice", "id,x,y,z,radius,x\n1,0,0,0,1,0\n", {"p.csv:1:", "'x' stands twice"}},
         BadFile{"ShortRow", header + "1,0,0,0,1\n2,0,0,1\n", {"p.csv:3:", "4 cells", "header has 5"}},
         BadFile{"LongRow", header + "1,0,0,0,1,9\n", {"p.csv:2:", "6 cells"}},
         BadFile{"DecimalComma", header + "1,0,0,0,1,5\n", {"p.csv:2:", "decimal point"}},

@@ -26,7 +26,7 @@ void expect_says(const std::string& message, const std::vector<std::string>& par
 
 std::string dump_frame(const std::string& count, const std::string& columns, const std::string& rows) {
   return "ITEM: TIMESTEP\n100\nITEM: NUMBER OF ATOMS\n" + count +
-         "\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS " + columns + "\n" + rows;
+         "\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\nITEM: ATOMS " + columns + "\n" + rows;
 }
 
 TEST(ReadLammpsDump, TakesTheLastFrameAndColumnsInAnyOrder) {
@@ -60,7 +60,7 @@ TEST(ReadLammpsDump, ASingleTypeIsNoMaterial) {
 TEST(ReadLammpsDump, RefusesBadFramesByLine) {
   expect_says(refusal(dump_frame("1", "id x y z", "1 0 0 0\n")),
               {"p.txt:9:", "'radius' is missing", "diameter"});
-  expect_says(refusal(dump_frame("1", "id xs ys zs radius", "1 0 0 0 1\n")), {"p.txt:9:", "'x' is missing"});
+  expect_says(refusal(dump_frame("1", "id px py pz radius", "1 0 0 0 1\n")), {"p.txt:9:", "'x' is missing"});
   expect_says(refusal(dump_frame("1", "x y z radius", "0 0 0\n")), {"p.txt:10:", "3 columns", "must have 4"});
   expect_says(refusal(dump_frame("1", "x y z radius", "0 0 0,5 1\n")),
               {"p.txt:10:", "'z' is '0,5'", "decimal"});
@@ -78,7 +78,7 @@ TEST(ReadLammpsDump, RefusesBadFramesByLine) {
 }
 
 const std::string data_head =
-    "LAMMPS data file, 3 atoms or so\n\n2 atoms\n2 atom types\n\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\n";
+    "LAMMPS data file, 3 atoms or so\n\n2 atoms\n2 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\n";
 
 TEST(ReadLammpsDump, AFrameThatDoesNotCountItsAtomsMayBeCutOff) {
   expect_says(refusal("ITEM: TIMESTEP\n100\nITEM: ATOMS id x y z radius\n1 0 0 0 1\n"),
@@ -129,7 +129,7 @@ TEST(ReadYade, ReadsBothFormats) {
 }
 
 TEST(ReadYade, RefusesBadRowsByLine) {
-  expect_says(refusal("#format x_y_z_r_attrs\n0 0 0 1 1\n"), {"p.txt:1:", "x_y_z_r_attrs", "x_y_z_r_matId"});
+  expect_says(refusal("#format x_y_z\n0 0 0\n"), {"p.txt:1:", "x_y_z", "x_y_z_r_matId"});
   expect_says(refusal("#format x_y_z_r_matId\n0 0 0 1\n"), {"p.txt:2:", "4 columns", "must have 5"});
   expect_says(refusal("#format x_y_z_r\n0 0 0 1\n0 0 0x1 1\n"), {"p.txt:3:", "'z' is '0x1'"});
   expect_says(refusal("#format x_y_z_r\n"), {"no particles"});

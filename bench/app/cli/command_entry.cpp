@@ -12,8 +12,8 @@
 
 // One line per command: its file in bench/app defines `CommandEntry NAME_command()`.
 #define SUPERSTEP_COMMANDS(command)                                                                         \
-  command(run) command(bench) command(info) command(stability) command(gate) command(compare) command(pack) \
-      command(report) command(completion) command(list)
+  command(run) command(bench) command(info) command(init) command(stability) command(gate) command(compare) \
+      command(pack) command(report) command(completion) command(list)
 
 namespace superstep {
 

@@ -27,6 +27,8 @@ struct Arguments {
 
   std::string container = "cylinder", diameter, width, depth, height, count, relative_density, sizes,
               seed = "1", length_unit = "m", file;
+
+  std::string conductivity, density, specific_heat, axis, neck, periodic, units, file_unit, matrix;
 };
 
 /// One option: its names as in "-o,--output", where its value goes, what it means, and how the help calls its
@@ -61,6 +63,10 @@ struct CommandEntry {
 /// What they say; forecasts go to stderr unless `quiet`. Throws UsageError.
 ///   seconds  where no time limit is given; 0 = none
 [[nodiscard]] RunLimits run_limits(const Arguments& values, double seconds);
+
+/// The options of commands that read a packing without a case, and what they say. Throws UsageError.
+[[nodiscard]] std::vector<OptionEntry> file_options();
+[[nodiscard]] FileOptions file_options_of(const Arguments& values);
 
 /// What every command takes. Throws UsageError.
 [[nodiscard]] CommonOptions common_options(const Arguments& values);

@@ -64,9 +64,19 @@ std::pair<double, int> facing_gap(const Packing& packing, const Graph& graph, do
   return best;
 }
 
+/// Cross-section of the packing's surfaces; along periodic edges, of the cell.
 double box_area(const Packing& packing, int axis) {
   const Bounds box = surface_bounds(packing);
-  const Vec3 size = box.max - box.min;
+  Vec3 size = box.max - box.min;
+  if (packing.cell) {
+    const auto& cell = *packing.cell;
+    const auto one = static_cast<std::size_t>((axis + 1) % 3),
+               other = static_cast<std::size_t>((axis + 2) % 3);
+    if (cell.periodic[one] && cell.periodic[other]) return norm(cross(cell.edge[one], cell.edge[other]));
+    if (cell.periodic[0]) size.x = cell.height(0);
+    if (cell.periodic[1]) size.y = cell.height(1);
+    if (cell.periodic[2]) size.z = cell.height(2);
+  }
   const std::array<double, 3> area = {size.y * size.z, size.x * size.z, size.x * size.y};
   return area[static_cast<std::size_t>(axis)];
 }
@@ -149,8 +159,10 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
   const bool stated = scene.packed->container && axis == 2;
   out.length = gap;
   out.area = stated ? scene.packed->container->cross_section : box_area(packing, axis);
-  out.note =
-      stated ? "" : "cross-section taken from the bounding box; state [packing] container for a cylinder";
+  const bool walled = !scene.packed->packing.cell || !scene.packed->packing.cell->is_periodic();
+  out.note = stated || !walled
+                 ? ""
+                 : "cross-section taken from the bounding box; state [packing] container for a cylinder";
   out.value = out.flow * gap / (out.area * (high - low));
   return out;
 }

@@ -11,7 +11,7 @@ constexpr unsigned particles = CaseKey::packing;
 void list_inputs(KeyList& keys, const std::string& field, const char* unit, const char* source_unit) {
   keys.in(field, particles);
   keys.boundary("grain_boundary");
-  keys.number("initial", any_number, unit, "at t = 0, of all particles that are not fixed").fallback = "0";
+  keys.initial(unit, "at t = 0, of the particles that are not fixed; left out = 0");
   keys.list("fixed", CaseKey::table, "particles that are held at a value").may_be_empty = true;
   keys.in(field + ".fixed[]", particles).where("where");
   keys.amount("value", unit, "the value: a number, or a table of time");

@@ -76,10 +76,24 @@ CaseKey& KeyList::table(const std::string& name, std::string meaning) {
   return add(name, CaseKey::table, std::move(meaning));
 }
 
-void KeyList::amount(const std::string& name, const std::string& unit, const std::string& meaning) {
-  number(name, any_number, unit, meaning).types = CaseKey::number | CaseKey::table;
+void KeyList::amount(const std::string& name, const std::string& unit, const std::string& meaning,
+                     unsigned other_types) {
+  number(name, any_number, unit, meaning).types = CaseKey::number | CaseKey::table | other_types;
   numbers(name + ".times", 0, any_number, "s", "instants, ascending; two equal ones are a step");
   numbers(name + ".values", 0, any_number, unit, "the value at each instant, linear between");
+  text(name + ".file", "or a table in a file, sampled as it may be");
+  text(name + ".time", "file: its column of instants [s]").fallback = "time";
+  text(name + ".value", "file: its column of values").fallback = "value";
+  number(name + ".scale", any_number, "", "multiplies the values").fallback = "1";
+  number(name + ".period", positive_number, "s", "after which the table repeats").fallback = "it does not";
+  text(name + ".outside", "what holds before and after the table", {"clamp", "zero", "error"}).fallback =
+      "clamp";
+}
+
+void KeyList::initial(const std::string& unit, const std::string& meaning, unsigned other_types) {
+  number("initial", any_number, unit, meaning).types = CaseKey::number | CaseKey::table | other_types;
+  text("initial.column", "or a column of the packing file, a value for each");
+  text("initial.file", "or of this file, by its column id");
 }
 
 void KeyList::where(const std::string& name) {

@@ -32,7 +32,10 @@ class KeyList {
   CaseKey& table(const std::string& name, std::string meaning);
 
   /// A number or a table of time.
-  void amount(const std::string& name, const std::string& unit, const std::string& meaning);
+  void amount(const std::string& name, const std::string& unit, const std::string& meaning,
+              unsigned other_types = 0);
+  /// Values at the start: a number or a column.
+  void initial(const std::string& unit, const std::string& meaning, unsigned other_types = 0);
   /// A selection of particles.
   void where(const std::string& name);
   /// A number or a law of temperature.

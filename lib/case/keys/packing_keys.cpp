@@ -44,8 +44,26 @@ void list_common_keys(KeyList& keys) {
 
   keys.in("", still).table("network", "nodes and edges given directly");
   keys.in("network", CaseKey::network);
-  keys.text("nodes", "CSV with id,capacity,source,initial,fixed");
-  keys.text("edges", "CSV with i,j,conductance");
+  keys.text("nodes", "table with id,capacity,source,initial,fixed");
+  keys.text("edges", "table with i,j,conductance");
+  keys.text("matrix", "or a Matrix Market file");
+  keys.text("matrix_kind", "what its off-diagonal entries are", {"auto", "laplacian", "conductance"})
+      .fallback = "auto";
+  keys.number("ambient", any_number, "K or V", "of surroundings, to which row sums of a Laplacian lead")
+      .fallback = "0";
+  keys.text("openpnm", "or a pore network in CSV");
+  keys.text("conductance", "openpnm: the column of throats that conducts");
+  keys.number("capacity", no_less_than_zero, "J/K or F",
+              "without nodes: of all, or a file, or openpnm's column")
+      .types = CaseKey::number | CaseKey::text;
+  keys.initial("K or V", "without nodes: of all, the file of a vector, or a table as below", CaseKey::text);
+  keys.list("fixed", CaseKey::table, "without nodes: a file of ids and values, or a list").types =
+      CaseKey::array | CaseKey::text;
+  keys.in("network.fixed[]", CaseKey::network);
+  keys.list("ids", CaseKey::integer, "nodes that are held");
+  keys.text("label", "or pores with this label: openpnm");
+  keys.amount("value", "K or V", "the value: a number, or a table of time");
+  keys.in("network", CaseKey::network);
   keys.text("field", "what the values are", {"temperature", "potential"}).fallback = "temperature";
   std::vector<std::string> generators;
   for (const auto& generator : network_generators()) generators.push_back(generator.name);
@@ -60,10 +78,10 @@ void list_common_keys(KeyList& keys) {
       "0";
   keys.integer("seed", no_less_than_zero, "generator: of the random numbers").fallback = "1";
   keys.text("expect", "generator: hash of the network; another one is an error");
-  keys.number("initial", any_number, "K or V", "generator: value of free nodes at the start").fallback = "0";
   keys.amount("inlet", "K or V", "generator: value at the inlet; left out = not held");
   keys.amount("outlet", "K or V", "generator: value at the outlet; left out = not held");
-  keys.amount("source", "W or A", "generator: source of every sixteenth node");
+  keys.amount("source", "W or A", "of each node, or a file; generator: of every sixteenth node",
+              CaseKey::text);
 }
 
 void list_corpus_keys(KeyList& keys) {
@@ -81,9 +99,23 @@ void list_corpus_keys(KeyList& keys) {
 void list_packing_keys(KeyList& keys) {
   keys.in("", CaseKey::packing).table("packing", "where the particles come from");
   keys.in("packing", CaseKey::packing);
-  keys.text("file", "packing file: CSV, LAMMPS, LIGGGHTS, Yade, MercuryDPM");
+  keys.text("file", "packing file: CSV, LAMMPS, LIGGGHTS, Yade, MercuryDPM, XYZ, VTK");
   keys.text("generator", "or a container that is filled", {"cylinder", "box", "grid"});
   keys.text("length_unit", "of the packing and of selections", {"m", "cm", "mm", "um", "nm"}).fallback = "m";
+  keys.text("units", "unit style of the code that wrote the file",
+            {"auto", "lj", "real", "metal", "si", "cgs", "electron", "micro", "nano"})
+      .fallback = "auto: as the file says";
+  keys.text("periodic", "sides of the box that are joined",
+            {"auto", "none", "x", "y", "z", "xy", "xz", "yx", "yz", "zx", "zy", "xyz", "xzy", "yxz", "yzx",
+             "zxy", "zyx"})
+      .fallback = "auto: as the file says";
+  keys.table("box", "the box of a file that states none");
+  keys.numbers("box.min", 3, any_number, "length_unit", "one corner");
+  keys.numbers("box.max", 3, any_number, "length_unit", "the other corner");
+  keys.text("format", "of a file that cannot be told by its content", {"auto", "xyzd", "xyzr"}).fallback =
+      "auto";
+  keys.text("atom_style", "LAMMPS data: the order of the columns of Atoms, as in hybrid sphere bond");
+  keys.list("columns", CaseKey::text, "names of the columns, for files that do not name them");
   keys.number("diameter", positive_number, "length_unit", "of a cylinder");
   keys.number("width", positive_number, "length_unit", "of a box");
   keys.number("depth", positive_number, "length_unit", "of a box");
@@ -121,6 +153,10 @@ void list_packing_keys(KeyList& keys) {
   keys.text("neck", "neck law, or given", laws);
   keys.text("file", "given: CSV with i,j,radius");
   keys.number("hardening", {.min = 0.5, .max = 1.45}, "", "plastic").fallback = "1.45";
+  keys.number("gap", no_less_than_zero, "length_unit", "particles up to this far apart touch").fallback = "0";
+  keys.number("bond_radius", positive_number, "length_unit",
+              "least radius of a neck, and that of necks across a gap");
+  keys.text("bonds", "table with i,j,radius: necks of its own beside those of the law");
   keys.text("conductance", "halves in series, or a pipe", {"series", "pipe"}).fallback = "series";
 
   keys.in("", CaseKey::packing | CaseKey::press).table("material", "one material");
@@ -130,6 +166,7 @@ void list_packing_keys(KeyList& keys) {
   keys.in("", CaseKey::packing).list("materials", CaseKey::table, "several materials, one table each");
   keys.in("materials[]", CaseKey::packing);
   keys.text("name", "as the packing says it");
+  keys.where("where");
   keys.number("density", positive_number, "kg/m3", "of its particles");
   keys.table("thermal", "its conductivity and specific heat");
   keys.in("materials[].thermal", CaseKey::packing).conductivity("W/(m K)");

@@ -80,8 +80,8 @@ Press load_press(const std::string& path) {
 }
 
 Press load_press(TomlTable root) {
-  for (const char* key :
-       {"title", "source", "t_end", "output_times", "bench", "corpus", "material", "thermal", "electric", "dynamics"})
+  for (const char* key : {"title", "source", "t_end", "output_times", "bench", "corpus", "material",
+                          "thermal", "electric", "dynamics"})
     (void)root.find(key);
   root.finish();  // a misspelt table is said first: what follows would only miss it
   Press press;

@@ -16,25 +16,29 @@ CsvReader::CsvReader(std::string path, std::vector<std::string> required, std::v
     : path_(std::move(path)), content_(read_text_file(path_)), columns_(required) {
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   position_.assign(columns_.size(), -1);
-  lines_ = LineReader(content_);
-  while (lines_.next() && (trimmed(lines_.line()).empty() || trimmed(lines_.line()).front() == '#')) {
-  }
-  split(lines_.line());
-  width_ = cells_.size();
-  for (std::size_t k = 0; k < width_; ++k) {
-    const auto column = std::find(columns_.begin(), columns_.end(), cells_[k]);
+  table_.emplace(path_, content_);
+  place_columns(required.size());
+}
+
+void CsvReader::place_columns(std::size_t required) {
+  const auto& header = table_->names();
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    const auto column = std::find(columns_.begin(), columns_.end(), lower_case(header[k]));
     if (column == columns_.end())
-      throw InputError(fmt::format("{}: unknown column {} in the header{}", where(), quoted(cells_[k]),
-                                   suggestion(cells_[k], columns_)));
+      throw InputError(fmt::format("{}: unknown column {} in the header{}", where(), quoted(header[k]),
+                                   suggestion(header[k], columns_)));
     auto& position = position_[static_cast<std::size_t>(column - columns_.begin())];
     if (position >= 0)
       throw InputError(fmt::format("{}: column '{}' stands twice in the header; keep one", where(), *column));
     position = static_cast<std::ptrdiff_t>(k);
   }
-  for (std::size_t column = 0; column < required.size(); ++column)
+  if (header.empty() && table_->width() == required)
+    for (std::size_t column = 0; column < required; ++column)
+      position_[column] = static_cast<std::ptrdiff_t>(column);
+  for (std::size_t column = 0; column < required; ++column)
     if (!has(column))
       throw InputError(fmt::format("{}: column '{}' is missing from the header '{}'; expected {}", where(),
-                                   required[column], lines_.line().substr(0, 120), names()));
+                                   columns_[column], table_->first_text().substr(0, 120), names()));
 }
 
 std::string CsvReader::names() const {
@@ -42,37 +46,16 @@ std::string CsvReader::names() const {
 }
 
 std::string CsvReader::where() const {
-  return fmt::format("{}:{}", path_, lines_.number());
-}
-
-void CsvReader::split(std::string_view line) {
-  cells_.clear();
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    cells_.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return;
-    line.remove_prefix(comma + 1);
-  }
+  return table_->where();
 }
 
 bool CsvReader::next() {
-  while (lines_.next()) {
-    if (trimmed(lines_.line()).empty()) continue;
-    split(lines_.line());
-    if (cells_.size() != width_)
-      throw InputError(
-          fmt::format("{}: row '{}' has {} cells, the header has {}; every row needs all columns, and "
-                      "numbers a decimal point, "
-                      "not a comma",
-                      where(), lines_.line().substr(0, 120), cells_.size(), width_));
-    return true;
-  }
-  return false;
+  return table_->next();
 }
 
 std::string_view CsvReader::text(std::size_t column) const noexcept {
   const auto position = position_[column];
-  return position < 0 ? std::string_view{} : cells_[static_cast<std::size_t>(position)];
+  return position < 0 ? std::string_view{} : table_->cells()[static_cast<std::size_t>(position)];
 }
 
 double CsvReader::number(std::size_t column) const {
@@ -84,7 +67,7 @@ double CsvReader::number(std::size_t column) const {
 }
 
 std::int64_t CsvReader::integer(std::size_t column) const {
-  const auto value = parse_integer(text(column));
+  const auto value = parse_whole_number(text(column));
   if (!value)
     throw InputError(fmt::format("{}: column '{}' is {}; it must be an integer", where(), columns_[column],
                                  quoted(text(column))));

@@ -1,21 +1,23 @@
 #pragma once
-/// Strict CSV with a header line: named columns, whole-token numbers, errors that name file, line and column.
+/// Tables with known columns: whole-token numbers, errors that name file, line and column.
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/text/text_file.hpp"
+#include "core/text/delimited.hpp"
 
 namespace superstep {
 
 class CsvReader {
  public:
-  /// Reads `path` and its header, before which comments may stand (`# ...`). Every required column must stand
-  /// in the header, in any order; optional ones may; anything else is an error that names the nearest valid
-  /// column. Throws InputError.
+  /// Reads `path` and its header (see DelimitedTable), in which upper and lower case are the same. Every
+  /// required column must stand in it, in any order; optional ones may; anything else is an error that names
+  /// the nearest valid column. Rows without a header hold the required columns, in their order. Throws
+  /// InputError.
   CsvReader(std::string path, std::vector<std::string> required, std::vector<std::string> optional = {});
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
@@ -26,21 +28,20 @@ class CsvReader {
   [[nodiscard]] bool has(std::size_t column) const noexcept { return position_[column] >= 0; }
   [[nodiscard]] std::string_view text(std::size_t column) const noexcept;
   [[nodiscard]] double number(std::size_t column) const;
+  /// May be written with a fraction of zero, as 3.0 or 3e0.
   [[nodiscard]] std::int64_t integer(std::size_t column) const;
-  [[nodiscard]] std::size_t line() const noexcept { return lines_.number(); }
+  [[nodiscard]] std::size_t line() const noexcept { return table_->line(); }
   /// "file:line", to begin an error message with.
   [[nodiscard]] std::string where() const;
 
  private:
-  void split(std::string_view line);
+  void place_columns(std::size_t required);
   [[nodiscard]] std::string names() const;
 
   std::string path_, content_;
-  LineReader lines_{""};
+  std::optional<DelimitedTable> table_;
   std::vector<std::string> columns_;
   std::vector<std::ptrdiff_t> position_;
-  std::vector<std::string_view> cells_;
-  std::size_t width_ = 0;
 };
 
 }  // namespace superstep

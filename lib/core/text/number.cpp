@@ -32,4 +32,12 @@ std::optional<std::int64_t> parse_integer(std::string_view token) noexcept {
   return parse_whole<std::int64_t>(token);
 }
 
+std::optional<std::int64_t> parse_whole_number(std::string_view token) noexcept {
+  if (const auto integer = parse_integer(token)) return integer;
+  constexpr double largest = 9007199254740992.0;  // 2^53: up to here doubles hold every integer
+  const auto number = parse_number(token);
+  if (!number || std::abs(*number) > largest || *number != std::nearbyint(*number)) return std::nullopt;
+  return static_cast<std::int64_t>(*number);
+}
+
 }  // namespace superstep

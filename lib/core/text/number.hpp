@@ -14,4 +14,7 @@ namespace superstep {
 /// Decimal integer: the whole token, in range of int64. A leading '+' is allowed.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view token) noexcept;
 
+/// The same where programs write whole numbers with a fraction or an exponent, as in 12.0 or 1.2e1.
+[[nodiscard]] std::optional<std::int64_t> parse_whole_number(std::string_view token) noexcept;
+
 }  // namespace superstep

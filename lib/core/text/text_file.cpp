@@ -6,8 +6,11 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/text/compressed.hpp"
+#include "core/text/encoding.hpp"
 
 namespace superstep {
 
@@ -43,7 +46,7 @@ void require_regular_file(const std::string& path, std::uintmax_t most) {
         fmt::format("{}: has {} bytes, and at most {} are read; is it the right file?", path, size, most));
 }
 
-std::string read_text_file(const std::string& path, std::uintmax_t most) {
+std::string read_file(const std::string& path, std::uintmax_t most) {
   require_regular_file(path, most);
   std::error_code ignored;
   std::ifstream stream(path, std::ios::binary);
@@ -56,7 +59,12 @@ std::string read_text_file(const std::string& path, std::uintmax_t most) {
   while (stream.read(buffer.data(), static_cast<std::streamsize>(block)) || stream.gcount() > 0)
     text.append(buffer, 0, static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (is_gzip(text)) text = gunzip(text, path, most);
+  return to_utf8(std::move(text));
+}
+
+std::string read_text_file(const std::string& path, std::uintmax_t most) {
+  std::string text = read_file(path, most);
   if (text.find('\0') != std::string::npos)
     throw InputError(fmt::format("{}: holds NUL bytes, so it is binary; a text file is expected", path));
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)

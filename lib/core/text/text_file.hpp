@@ -15,9 +15,12 @@ inline constexpr std::uintmax_t largest_data_file = std::uintmax_t{1} << 35;
 /// no beginning for the second look, and either would be waited for in vain.
 void require_regular_file(const std::string& path, std::uintmax_t most = largest_data_file);
 
-/// Reads a whole text file. Drops a UTF-8 byte order mark.
-/// Throws InputError for a missing or unreadable file, anything but a regular file of at most `most` bytes,
-/// an empty file, and binary content (NUL bytes).
+/// Reads a whole file: unpacked where it is gzipped, as UTF-8 where it is UTF-16, without byte order mark.
+/// Throws InputError for a missing or unreadable file, and anything but a regular file of at most `most`
+/// bytes, packed or unpacked.
+[[nodiscard]] std::string read_file(const std::string& path, std::uintmax_t most = largest_data_file);
+
+/// The same of text. Throws InputError for an empty file and for binary content (NUL bytes), too.
 [[nodiscard]] std::string read_text_file(const std::string& path, std::uintmax_t most = largest_data_file);
 
 /// Walks the lines of a text, LF or CRLF, counting from 1.

@@ -1,30 +1,59 @@
 #pragma once
-/// One reader per file format; `read_packing` chooses. Each throws InputError that names file, line, value
-/// and rule.
+/// One reader per file format; `read_packing` chooses by content. Each throws InputError that names file,
+/// line, value and rule.
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "packing/packing.hpp"
+#include "packing/read_options.hpp"
 
 namespace superstep {
 
-/// What a reader is given: the path for messages, the whole text, the length of one unit [m].
-struct PackingFile {
-  std::string path;
-  std::string_view text;
-  double unit = 1;
+/// A unit of length that somebody states.
+struct StatedUnit {
+  double metres = 0;  ///< 0: without dimension
+  std::string words;  ///< as in "um, as line 1 says"
 };
 
-/// Header `x,y,z,radius` with optional `id` and `material`, in any order. Opens the path itself.
-[[nodiscard]] Packing read_csv(const std::string& path, double unit);
-/// LAMMPS/LIGGGHTS dump: the last frame, columns in any order.
-[[nodiscard]] Packing read_lammps_dump(const PackingFile& file);
-/// LAMMPS/LIGGGHTS data: section Atoms of atom style sphere or granular.
-[[nodiscard]] Packing read_lammps_data(const PackingFile& file);
-/// Yade text with `#format x_y_z_r` or `#format x_y_z_r_matId`.
-[[nodiscard]] Packing read_yade(const PackingFile& file);
-/// MercuryDPM .data in three dimensions: the last frame.
-[[nodiscard]] Packing read_mercury(const PackingFile& file);
+/// What a reader is given.
+struct PackingFile {
+  std::string path;                  ///< for messages
+  std::string_view content;          ///< all of it, unpacked
+  PackingOptions options;            ///< what the user says
+  std::optional<StatedUnit> stated;  ///< by a comment at the top
+  bool is_text = true;               ///< without NUL bytes
+};
+
+struct PackingFormat {
+  std::string name;                             ///< as messages and `superstep info` call it
+  bool (*recognises)(const PackingFile& file);  ///< by its beginning, never by its name alone
+  Packing (*read)(const PackingFile& file);
+};
+
+/// LAMMPS/LIGGGHTS dump: the last frame, columns in any order, box and units as stated.
+[[nodiscard]] PackingFormat lammps_dump_format();
+/// LAMMPS/LIGGGHTS data: section Atoms of any style that knows diameters.
+[[nodiscard]] PackingFormat lammps_data_format();
+/// Yade text: columns as its line `#format` names them.
+[[nodiscard]] PackingFormat yade_format();
+/// MercuryDPM .data in two or three dimensions: the last frame.
+[[nodiscard]] PackingFormat mercury_format();
+/// Extended XYZ with radii: the last frame.
+[[nodiscard]] PackingFormat xyz_format();
+/// VTK files with points that have radii: XML (VTP, VTU) and legacy.
+[[nodiscard]] PackingFormat vtk_xml_format();
+[[nodiscard]] PackingFormat vtk_legacy_format();
+/// Rows of four doubles: x y z and a diameter or radius. Known by its declared name, or by that of the file.
+[[nodiscard]] PackingFormat doubles_format();
+/// CSV and other tables, with a header or without: takes nearly everything, so that it is asked last.
+[[nodiscard]] PackingFormat table_format();
+
+/// Unit of length of a file [m]: what the user, the comments and the reader state must agree. Nobody says
+/// anything = metres. Leaves a note, or a warning about units without dimension, in `packing`. Throws
+/// InputError.
+double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_format, Packing& packing);
 
 }  // namespace superstep

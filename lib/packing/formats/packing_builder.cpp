@@ -45,10 +45,11 @@ std::pair<std::size_t, std::size_t> first_repeat(std::vector<std::pair<std::uint
 
 }  // namespace
 
-PackingBuilder::PackingBuilder(std::string path, double unit) : path_(std::move(path)), unit_(unit) {}
+PackingBuilder::PackingBuilder(std::string path, double unit, std::string row)
+    : path_(std::move(path)), unit_(unit), row_(std::move(row)) {}
 
 std::string PackingBuilder::where(std::size_t line) const {
-  return fmt::format("{}:{}", path_, line);
+  return row_ == "line" ? fmt::format("{}:{}", path_, line) : fmt::format("{}: {} {}", path_, row_, line);
 }
 
 /// Lengths whose cubes and squares stay clear of overflow and underflow.
@@ -113,8 +114,8 @@ void PackingBuilder::check_ids() const {
   const auto [later, earlier] = first_repeat(std::move(keys), [](std::size_t, std::size_t) { return true; });
   if (later < id.size())
     throw InputError(
-        fmt::format("{}: id is {}, as on line {}; ids must be unique; renumber or remove one of the two",
-                    where(line_[later]), id[later], line_[earlier]));
+        fmt::format("{}: id is {}, as on {} {}; ids must be unique; renumber or remove one of the two",
+                    where(line_[later]), id[later], row_, line_[earlier]));
 }
 
 void PackingBuilder::check_centres() const {
@@ -125,9 +126,9 @@ void PackingBuilder::check_centres() const {
       std::move(keys), [&](std::size_t i, std::size_t j) { return same_point(centre[i], centre[j]); });
   if (later < centre.size())
     throw InputError(fmt::format(
-        "{}: centre is ({}, {}, {}) m, as on line {}; centres must differ; remove one of the two, or write "
+        "{}: centre is ({}, {}, {}) m, as on {} {}; centres must differ; remove one of the two, or write "
         "the file with more digits",
-        where(line_[later]), centre[later].x, centre[later].y, centre[later].z, line_[earlier]));
+        where(line_[later]), centre[later].x, centre[later].y, centre[later].z, row_, line_[earlier]));
 }
 
 Packing PackingBuilder::finish() {

@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of a packing file on their way into a checked Packing.
+/// Spheres of a packing file on their way into a checked Packing.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,9 @@ namespace superstep {
 
 class PackingBuilder {
  public:
-  /// unit [m]: length of one unit of the file
-  PackingBuilder(std::string path, double unit);
+  ///   unit [m]  length of one unit of the file
+  ///   row       what its spheres stand on, for messages
+  PackingBuilder(std::string path, double unit, std::string row = "line");
 
   /// A sphere in the file's units. Throws InputError for a radius <= 0 and for lengths that cannot be
   /// computed with.
@@ -27,12 +28,15 @@ class PackingBuilder {
   /// materials.
   void drop_single_material();
 
+  /// "file:line", or "file: point 7", to begin an error message with.
+  [[nodiscard]] std::string where(std::size_t line) const;
   [[nodiscard]] std::size_t size() const noexcept { return packing_.size(); }
+  /// Lines of the spheres [n], until they are finished.
+  [[nodiscard]] const std::vector<std::size_t>& lines() const noexcept { return line_; }
   /// The packing. Throws InputError when it is empty or when ids or centres coincide.
   [[nodiscard]] Packing finish();
 
  private:
-  [[nodiscard]] std::string where(std::size_t line) const;
   [[nodiscard]] double metres(std::size_t line, double length, std::string_view what) const;
   void require_materials() const;
   void check_ids() const;
@@ -40,6 +44,7 @@ class PackingBuilder {
 
   std::string path_;
   double unit_;
+  std::string row_;
   Packing packing_;
   std::vector<std::size_t> line_;  // [n] for error messages
   std::unordered_map<std::string, std::int32_t> material_index_;

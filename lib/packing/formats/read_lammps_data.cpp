@@ -1,35 +1,31 @@
-#include <fmt/format.h>
+/// LAMMPS/LIGGGHTS data: what `write_data` writes and `read_data` reads.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "core/error.hpp"
+#include "core/text/number.hpp"
 #include "core/text/text_file.hpp"
+#include "packing/formats/atom_styles.hpp"
 #include "packing/formats/formats.hpp"
-#include "packing/formats/packing_builder.hpp"
+#include "packing/formats/plausible_layout.hpp"
+#include "packing/formats/recognise.hpp"
+#include "packing/formats/sphere_rows.hpp"
 #include "packing/formats/text_row.hpp"
+#include "packing/units.hpp"
 
 namespace superstep {
 namespace {
 
-constexpr std::string_view layout = "id type diameter density x y z, and three image flags if any";
-
-/// `Atoms`, with the atom style behind '#' when the writer was kind enough to state it.
-void check_style(const TextRow& heading) {
-  if (heading.size() < 3) return;
-  const auto style = heading[2];
-  if (style != "sphere" && style != "granular")
-    throw InputError(
-        fmt::format("{}: atom style is {}; it must be sphere or granular, which know diameters; write the "
-                    "data file with one of these",
-                    heading.where(), quoted(style)));
-}
-
-void add_atom(PackingBuilder& builder, const TextRow& row) {
-  constexpr std::size_t plain = 7, with_image_flags = 10;
-  if (row.size() != with_image_flags) row.require_size(plain, layout);
-  const Vec3 centre{row.number(4, "x"), row.number(5, "y"), row.number(6, "z")};
-  builder.add(row.line(), row.integer(0, "id"), centre, 0.5 * row.number(2, "diameter"));
-  builder.set_material(row[1]);
+bool recognises(const PackingFile& file) {
+  BeginningLines lines(file);
+  while (lines.next())
+    if (lines.row().size() >= 2 && lines.row()[1] == "atoms" && parse_integer(lines.row()[0])) return true;
+  return false;
 }
 
 /// Headings are words. "nan" and "inf" are what a writer makes of a broken number: they begin a row.
@@ -42,35 +38,163 @@ bool is_heading(const TextRow& row) {
   return true;
 }
 
-}  // namespace
+/// "units = si" in the title that write_data writes.
+std::optional<StatedUnit> unit_in_title(std::string_view title) {
+  constexpr std::string_view key = "units = ";
+  const std::size_t at = title.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  std::string_view style = title.substr(at + key.size());
+  style = style.substr(0, style.find_first_of(" ,\t"));
+  const auto metres = unit_style_length(std::string(style));
+  if (!metres) return std::nullopt;
+  return StatedUnit{*metres, fmt::format("units {}, as the title says", style)};
+}
 
-Packing read_lammps_data(const PackingFile& file) {
-  LineReader lines(file.text);
+/// Everything above the rows of section Atoms.
+struct DataHead {
+  std::int64_t atoms = 0, types = 0;
+  std::optional<Cell> cell;
+  std::optional<StatedUnit> unit;
+  std::string style;    ///< behind "Atoms #"
+  std::string place;    ///< of the heading
+  LineReader rows{""};  ///< before the first of them
+};
+
+void read_header_line(const TextRow& row, Cell& cell, DataHead& head) {
+  const auto ends_with = [&](std::initializer_list<const char*> words) {
+    if (row.size() < words.size()) return false;
+    std::size_t k = row.size() - words.size();
+    for (const char* word : words)
+      if (row[k++] != word) return false;
+    return true;
+  };
+  const auto bounds = [&](std::size_t axis, double Vec3::*component) {
+    row.require_size(4, "the bounds of the box along one axis");
+    const double low = row.number(0, "box bounds"), high = row.number(1, "box bounds");
+    cell.origin.*component = low;
+    cell.edge[axis].*component = high - low;
+    head.cell = cell;
+  };
+  const auto vector = [&](Vec3& out) {
+    for (std::size_t k = 0; k < 3; ++k) (k == 0 ? out.x : k == 1 ? out.y : out.z) = row.number(k, "box edge");
+    head.cell = cell;
+  };
+  if (row.size() == 2 && row[1] == "atoms") head.atoms = row.integer(0, "number of atoms");
+  if (ends_with({"atom", "types"})) head.types = row.integer(0, "number of atom types");
+  if (ends_with({"xlo", "xhi"})) bounds(0, &Vec3::x);
+  if (ends_with({"ylo", "yhi"})) bounds(1, &Vec3::y);
+  if (ends_with({"zlo", "zhi"})) bounds(2, &Vec3::z);
+  if (ends_with({"xy", "xz", "yz"}) && row.size() == 6) {
+    cell.edge[1].x = row.number(0, "xy");
+    cell.edge[2].x = row.number(1, "xz");
+    cell.edge[2].y = row.number(2, "yz");
+    head.cell = cell;
+  }
+  if (row.size() == 4 && row[3] == "avec") vector(cell.edge[0]);
+  if (row.size() == 4 && row[3] == "bvec") vector(cell.edge[1]);
+  if (row.size() == 4 && row[3] == "cvec") vector(cell.edge[2]);
+  if (ends_with({"abc", "origin"}) && row.size() == 5) vector(cell.origin);
+}
+
+std::string_view without_comment(std::string_view line) {
+  return line.substr(0, line.find('#'));
+}
+
+DataHead read_head(const PackingFile& file) {
+  LineReader lines(file.content);
   TextRow row(file.path);
-  PackingBuilder builder(file.path, file.unit);
-  std::int64_t expected = 0;
-  bool in_atoms = false;
+  DataHead head;
+  Cell cell;
+  bool in_section = false;
   lines.next();  // the first line is a title, whatever it says
+  head.unit = unit_in_title(lines.line());
   while (lines.next()) {
-    const std::string_view content = lines.line().substr(0, lines.line().find('#'));
-    row.split(content, lines.number());
+    row.split(without_comment(lines.line()), lines.number());
     if (row.size() == 0) continue;
-    if (row.size() == 2 && row[1] == "atoms") expected = row.integer(0, "number of atoms");
     if (is_heading(row)) {
-      in_atoms = row.size() == 1 && row[0] == "Atoms";
-      row.split(lines.line(), lines.number());
-      if (in_atoms) check_style(row);
-    } else if (in_atoms) {
-      add_atom(builder, row);
+      in_section = true;
+      if (row.size() != 1 || row[0] != "Atoms") continue;
+      if (!head.place.empty())
+        throw InputError(fmt::format("{}: section 'Atoms' stands twice; keep one", row.where()));
+      head.place = row.where();
+      head.rows = lines;
+      const std::size_t sharp = lines.line().find('#');
+      if (sharp != std::string_view::npos) head.style = trimmed(lines.line().substr(sharp + 1));
+    } else if (!in_section) {
+      read_header_line(row, cell, head);
     }
   }
-  if (expected != static_cast<std::int64_t>(builder.size()))
+  return head;
+}
+
+/// Calls each(row) for every row of section Atoms; returns the last line looked at.
+template <class Each>
+std::size_t for_atoms(const PackingFile& file, const DataHead& head, Each each) {
+  LineReader lines = head.rows;
+  TextRow row(file.path);
+  while (lines.next()) {
+    row.split(without_comment(lines.line()), lines.number());
+    if (row.size() == 0) continue;
+    if (is_heading(row)) break;
+    each(row);
+  }
+  return lines.number();
+}
+
+/// The order of the columns: as declared, as the file says, or the only one that makes sense of every row.
+AtomLayout choose_layout(const PackingFile& file, const DataHead& head, bool& recognised) {
+  if (!file.options.columns.empty()) return {"declared", file.options.columns};
+  if (!file.options.atom_style.empty())
+    return atom_layout(file.options.atom_style, file.options.place.empty() ? file.path : file.options.place);
+  if (!head.style.empty() && head.style != "hybrid") return atom_layout(head.style, head.place);
+  recognised = true;
+  PlausibleLayout plausible(head.cell, head.types, head.style == "hybrid");
+  std::size_t first_line = 0;
+  for_atoms(file, head, [&](const TextRow& row) {
+    if (first_line == 0) first_line = row.line();
+    plausible.look_at(row.cells());
+  });
+  return plausible.choose(fmt::format("{}:{}", file.path, first_line));
+}
+
+Packing read(const PackingFile& file) {
+  const DataHead head = read_head(file);
+  bool recognised = false;
+  AtomLayout layout = choose_layout(file, head, recognised);
+  const std::size_t plain = layout.columns.size(), with_image_flags = plain + 3;
+  SphereLayout sphere{.names = layout.columns,
+                      .place = head.place.empty() ? file.path : head.place,
+                      .header = fmt::format("the order of atom style {}", layout.style),
+                      .cell = head.cell,
+                      .cell_binds = head.cell.has_value(),
+                      .unit = head.unit};
+  SphereRows rows(file, std::move(sphere));
+  const std::string order = fmt::format("{}, and three image flags if any", fmt::join(layout.columns, " "));
+  const std::size_t last = for_atoms(file, head, [&](const TextRow& row) {
+    if (row.size() != with_image_flags) row.require_size(plain, order);
+    rows.add(std::span(row.cells()).first(plain), row.line());
+  });
+  if (head.atoms != static_cast<std::int64_t>(rows.size()))
     throw InputError(
         fmt::format("{}:{}: section 'Atoms' has {} rows; the header announces {} atoms; the file is cut off "
                     "or edited: write it again",
-                    file.path, lines.number(), builder.size(), expected));
-  builder.drop_single_material();
-  return builder.finish();
+                    file.path, last, rows.size(), head.atoms));
+  Packing packing = rows.finish();
+  packing.notes.insert(
+      packing.notes.begin(),
+      fmt::format("order of the columns: {} (atom style {}{})", fmt::join(layout.columns, " "), layout.style,
+                  recognised ? ", the only one that fits every row" : ""));
+  if (head.cell && file.options.periodic == "auto")
+    packing.notes.push_back(
+        "a data file does not say whether its box is periodic: taken as open; periodic = \"xyz\" "
+        "joins its sides");
+  return packing;
+}
+
+}  // namespace
+
+PackingFormat lammps_data_format() {
+  return {"LAMMPS/LIGGGHTS data", recognises, read};
 }
 
 }  // namespace superstep

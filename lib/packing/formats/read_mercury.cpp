@@ -1,15 +1,58 @@
+/// MercuryDPM .data, in two or three dimensions.
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/text/number.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
-#include "packing/formats/packing_builder.hpp"
+#include "packing/formats/recognise.hpp"
+#include "packing/formats/sphere_rows.hpp"
 #include "packing/formats/text_row.hpp"
 
 namespace superstep {
 namespace {
 
-constexpr std::size_t header_size = 8, row_size = 14, radius_column = 6, species_column = 13;
+/// A header and the rows below it.
+struct Kind {
+  bool flat;
+  std::size_t header_size;
+  const char* header;
+  std::vector<std::string> columns;
+};
+
+const Kind& three_dimensions() {
+  static const Kind kind{false,
+                         8,
+                         "N t xmin ymin zmin xmax ymax zmax, the header of a frame",
+                         {"x", "y", "z", "vx", "vy", "vz", "radius", "alpha", "beta", "gamma", "omega_x",
+                          "omega_y", "omega_z", "species"}};
+  return kind;
+}
+
+const Kind& two_dimensions() {
+  static const Kind kind{true,
+                         6,
+                         "N t xmin ymin xmax ymax, the header of a frame in two dimensions",
+                         {"x", "y", "vx", "vy", "radius", "angle", "omega", "species"}};
+  return kind;
+}
+
+const Kind* kind_of(const TextRow& header) {
+  for (const Kind* kind : {&three_dimensions(), &two_dimensions()})
+    if (header.size() == kind->header_size) return kind;
+  return nullptr;
+}
+
+/// A header of numbers that begins with a count. In two dimensions a table could look like it, so that the
+/// row below must fit.
+bool recognises(const PackingFile& file) {
+  BeginningLines lines(file);
+  if (!lines.next_statement() || !all_numbers(lines.row())) return false;
+  const Kind* kind = kind_of(lines.row());
+  if (kind == nullptr || !parse_integer(lines.row()[0])) return false;
+  return !kind->flat || (lines.next() && lines.row().size() == kind->columns.size());
+}
 
 struct Frame {
   LineReader rows;  // before the first of them
@@ -18,14 +61,13 @@ struct Frame {
   double time = 0;         // as the header gives it
 };
 
-Frame last_frame(const PackingFile& file) {
-  LineReader lines(file.text);
+Frame last_frame(const PackingFile& file, const Kind& kind, LineReader lines) {
   TextRow row(file.path);
   Frame last{lines};
   while (lines.next()) {
     row.split(lines.line(), lines.number());
     if (row.size() == 0) continue;
-    row.require_size(header_size, "N t xmin ymin zmin xmax ymax zmax, the header of a frame");
+    row.require_size(kind.header_size, kind.header);
     last = {lines, row.integer(0, "N"), last.number + 1, row.number(1, "t")};
     for (std::int64_t k = 0; k < last.count; ++k)
       if (!lines.next())
@@ -37,24 +79,38 @@ Frame last_frame(const PackingFile& file) {
   return last;
 }
 
+Packing read(const PackingFile& file) {
+  LineReader beginning(file.content), lines = beginning;
+  TextRow row(file.path);
+  while (beginning.next()) {  // comments at the top
+    row.split(beginning.line(), beginning.number());
+    if (row.size() > 0 && row[0].front() != '#') break;
+    lines = beginning;
+  }
+  const Kind& kind = *kind_of(row);
+  auto [rows_of_frame, count, frames, time] = last_frame(file, kind, lines);
+  SphereRows rows(file, {.names = kind.columns,
+                         .place = fmt::format("{}:{}", file.path, rows_of_frame.number()),
+                         .header = "the format",
+                         .flat = kind.flat});
+  for (std::int64_t k = 0; k < count; ++k) {
+    rows_of_frame.next();
+    row.split(rows_of_frame.line(), rows_of_frame.number());
+    row.require_size(kind.columns.size(), kind.flat
+                                              ? "x y, velocity, radius, angle, angular velocity, species"
+                                              : "x y z, velocity, radius, angles, angular velocity, species");
+    rows.add(row.cells(), row.line());
+  }
+  Packing packing = rows.finish();
+  if (frames > 1) packing.frame = fmt::format("the last of {} frames, t = {}", frames, time);
+  packing.notes.push_back("the box of the header is for drawing: whether it is periodic is not stated");
+  return packing;
+}
+
 }  // namespace
 
-Packing read_mercury(const PackingFile& file) {
-  auto [lines, count, frames, time] = last_frame(file);
-  TextRow row(file.path);
-  PackingBuilder builder(file.path, file.unit);
-  for (std::int64_t k = 0; k < count; ++k) {
-    lines.next();
-    row.split(lines.line(), lines.number());
-    row.require_size(row_size, "x y z, velocity, radius, angles, angular velocity, species");
-    const Vec3 centre{row.number(0, "x"), row.number(1, "y"), row.number(2, "z")};
-    builder.add(row.line(), k, centre, row.number(radius_column, "radius"));
-    builder.set_material(row[species_column]);
-  }
-  builder.drop_single_material();
-  Packing packing = builder.finish();
-  if (frames > 1) packing.frame = fmt::format("the last of {} frames, t = {}", frames, time);
-  return packing;
+PackingFormat mercury_format() {
+  return {"MercuryDPM .data", recognises, read};
 }
 
 }  // namespace superstep

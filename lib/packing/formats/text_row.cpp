@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/text/number.hpp"
 #include "core/text/text_file.hpp"
+#include "packing/formats/recognise.hpp"
 
 namespace superstep {
 
@@ -28,6 +29,12 @@ std::string TextRow::where() const {
   return fmt::format("{}:{}", path_, number_);
 }
 
+bool all_numbers(const TextRow& row) {
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (!parse_number(row[k])) return false;
+  return true;
+}
+
 double TextRow::number(std::size_t k, std::string_view name) const {
   const auto value = parse_number(cells_[k]);
   if (!value)
@@ -37,7 +44,7 @@ double TextRow::number(std::size_t k, std::string_view name) const {
 }
 
 std::int64_t TextRow::integer(std::size_t k, std::string_view name) const {
-  const auto value = parse_integer(cells_[k]);
+  const auto value = parse_whole_number(cells_[k]);
   if (!value)
     throw InputError(
         fmt::format("{}: column '{}' is {}; it must be an integer", where(), name, quoted(cells_[k])));

@@ -20,6 +20,7 @@ class TextRow {
   [[nodiscard]] std::size_t size() const noexcept { return cells_.size(); }
   [[nodiscard]] std::size_t line() const noexcept { return number_; }
   [[nodiscard]] std::string_view operator[](std::size_t k) const noexcept { return cells_[k]; }
+  [[nodiscard]] const std::vector<std::string_view>& cells() const noexcept { return cells_; }
   /// Column k < size() as a number; errors call it `name`. Throws InputError.
   [[nodiscard]] double number(std::size_t k, std::string_view name) const;
   [[nodiscard]] std::int64_t integer(std::size_t k, std::string_view name) const;

@@ -23,7 +23,8 @@ void CsvTable::parse() {
   while (position < content_.size()) {
     row.clear();
     for (bool ends_row = false; !ends_row;) row.push_back(take_cell(position, ends_row));
-    if (row.size() == 1 && row.front().empty()) continue;  // a blank line
+    if (row.size() == 1 && row.front().empty()) continue;            // a blank line
+    if (columns_.empty() && row.front().starts_with('#')) continue;  // what a table states above its header
     if (columns_.empty()) {
       for (const auto& name : row) columns_.push_back(csv_text_of(name));
       continue;

@@ -1,14 +1,16 @@
-#include "case/read_network_scene.hpp"
+#include "case/network/read_network_scene.hpp"
 
 #include <fmt/format.h>
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "case/inputs/read_amount.hpp"
+#include "case/inputs/read_initial.hpp"
+#include "case/network/read_network_files.hpp"
 #include "case/read_field.hpp"
-#include "case/read_inputs.hpp"
-#include "case/read_packing_scene.hpp"
 #include "core/error.hpp"
 #include "core/index.hpp"
 #include "core/text/suggest.hpp"
@@ -47,10 +49,11 @@ NetworkRecipe read_recipe(TomlTable& network, const NetworkGenerator& generator)
 }
 
 /// Holds nodes at a value; none where the key is left out.
-void fix(TomlTable& network, const char* key, const std::vector<std::int32_t>& nodes, Graph& graph) {
+void fix(TomlTable& network, const char* key, const std::vector<std::int32_t>& nodes, double t_end,
+         Graph& graph) {
   const auto value = network.find(key);
   if (!value) return;
-  const Amount amount = read_amount(*value, graph);
+  const Amount amount = read_amount(*value, t_end, graph);
   if (amount.table >= 0 && graph.fixed_table.empty()) graph.fixed_table.assign(graph.nodes(), -1);
   for (const auto node : nodes) {
     graph.is_fixed[at(node)] = 1;
@@ -59,10 +62,10 @@ void fix(TomlTable& network, const char* key, const std::vector<std::int32_t>& n
   }
 }
 
-void heat(TomlTable& network, const std::vector<std::int32_t>& nodes, Graph& graph) {
+void heat(TomlTable& network, const std::vector<std::int32_t>& nodes, double t_end, Graph& graph) {
   const auto source = network.find("source");
   if (!source) return;
-  const Amount amount = read_amount(*source, graph);
+  const Amount amount = read_amount(*source, t_end, graph);
   for (const auto node : nodes) {
     if (amount.table < 0)
       graph.source[at(node)] = amount.value;
@@ -71,7 +74,7 @@ void heat(TomlTable& network, const std::vector<std::int32_t>& nodes, Graph& gra
   }
 }
 
-Graph generate(TomlTable& network, const TomlValue& named) {
+Graph generate(TomlTable& network, const TomlValue& named, double t_end) {
   const std::string name = named.string();
   const NetworkGenerator* generator = find_network_generator(name);
   if (!generator) {
@@ -87,10 +90,10 @@ Graph generate(TomlTable& network, const TomlValue& named) {
                       "if the recipe was changed on purpose, or leave this key out",
                       hash));
   Graph graph = std::move(made.graph);
-  graph.initial.assign(graph.nodes(), network.number("initial").value_or(0.0));
-  fix(network, "inlet", made.inlet, graph);
-  fix(network, "outlet", made.outlet, graph);
-  heat(network, made.heated, graph);
+  graph.initial = read_initial(network, graph.id, nullptr);
+  fix(network, "inlet", made.inlet, t_end, graph);
+  fix(network, "outlet", made.outlet, t_end, graph);
+  heat(network, made.heated, t_end, graph);
   return graph;
 }
 
@@ -109,16 +112,16 @@ void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene) {
   field.name = kind.name;
   field.unit = kind.unit;
   if (const auto generator = network.find("generator")) {
-    for (const char* file : {"nodes", "edges"})
+    for (const char* file : {"nodes", "edges", "matrix", "openpnm"})
       if (const auto value = network.find(file))
         value->reject("the network comes from a generator; give either files or a generator");
-    field.graph = generate(network, *generator);
+    field.graph = generate(network, *generator, scene.t_end);
   } else {
-    const auto nodes =
-        network.require("nodes", "it names a CSV with id,capacity,source,initial,fixed").string();
-    const auto edges = network.require("edges", "it names a CSV with i,j,conductance").string();
-    field.graph = read_graph(beside_case(root.file(), nodes), beside_case(root.file(), edges));
+    NetworkInput input = read_network_files(network, scene.t_end);
+    field.graph = std::move(input.graph);
+    scene.warnings.insert(scene.warnings.end(), input.notes.begin(), input.notes.end());
   }
+  field.algebraic = eliminate_algebraic_nodes(field.graph, network.where());
   field.bare = field.graph.conductance;
   scene.fields.push_back(std::move(field));
 }

@@ -1,0 +1,213 @@
+#include "bench/app/file_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/text/delimited.hpp"
+#include "core/text/toml.hpp"
+#include "network/components.hpp"
+#include "network/files/matrix_market.hpp"
+#include "network/files/read_network.hpp"
+#include "packing/read.hpp"
+#include "results/text/json_object.hpp"
+
+namespace superstep {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A line of the report for people.
+std::string row(const std::string& label, const std::string& value) {
+  return fmt::format("  {:<34} {}\n", label, value);
+}
+
+std::string rows(const std::string& label, const std::vector<std::string>& values) {
+  std::string out;
+  for (const auto& value : values) out += row(out.empty() ? label : "", value);
+  return out;
+}
+
+std::string box_words(Vec3 low, Vec3 high) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m", low.x, low.y, low.z, high.x,
+                     high.y, high.z);
+}
+
+std::vector<std::string> names_of(const std::vector<PackingAttribute>& attributes) {
+  std::vector<std::string> names;
+  for (const auto& one : attributes) names.push_back(one.name);
+  return names;
+}
+
+std::string packing_text(const Packing& packing, const std::string& path,
+                         const std::optional<PackingConduction>& conduction) {
+  const auto [smallest, largest] = std::minmax_element(packing.radius.begin(), packing.radius.end());
+  const Bounds box = surface_bounds(packing);
+  std::string out = fmt::format("{}: a packing\n", path);
+  out += row("format", packing.format);
+  if (!packing.frame.empty()) out += row("read", packing.frame);
+  out += row("particles", fmt::format("{}", packing.size()));
+  out += row("diameters", fmt::format("{:.4g} to {:.4g} m", 2 * *smallest, 2 * *largest));
+  out += row("surfaces reach from", box_words(box.min, box.max));
+  if (packing.cell) {
+    out +=
+        row("cell", box_words(packing.cell->origin, packing.cell->origin + packing.cell->shift({1, 1, 1})));
+    out += row("periodic along", packing.cell->periodic_axes());
+    if (packing.cell->is_periodic())
+      out += row("relative density", fmt::format("{:.4g}", sphere_volume(packing) / packing.cell->volume()));
+  }
+  if (!packing.material_names.empty())
+    out += row("materials", fmt::format("{}", fmt::join(packing.material_names, ", ")));
+  if (!packing.attributes.empty())
+    out += row("attributes", fmt::format("{}", fmt::join(names_of(packing.attributes), ", ")));
+  out += rows("understood", packing.notes);
+  out += rows("warning", packing.warnings);
+  if (!conduction) return out;
+  const auto value = [](const std::optional<double>& k) {
+    return k ? fmt::format("{:.6g} W/(m K)", *k) : std::string("-");
+  };
+  out += "\nConduction\n";
+  out += row("mean coordination", fmt::format("{:.4g}", conduction->coordination));
+  out += row("components",
+             fmt::format("{}, {} particles without a contact", conduction->components, conduction->isolated));
+  if (conduction->periodic)
+    out += row(fmt::format("effective conductivity along {}", conduction->axis),
+               value(conduction->periodic) + ", under a mean gradient in the periodic cell");
+  out += row(conduction->periodic ? "" : fmt::format("effective conductivity along {}", conduction->axis),
+             value(conduction->between_layers) +
+                 (conduction->periodic ? ", cut open, between layers at both ends" : "") +
+                 (conduction->note.empty() ? "" : "; " + conduction->note));
+  out += row("heat passes in about", fmt::format("{:g} s", conduction->time));
+  out += row("recommended over that time", conduction->method);
+  return out;
+}
+
+Json optional_number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+std::string packing_json(const Packing& packing, const std::string& path,
+                         const std::optional<PackingConduction>& conduction) {
+  const auto [smallest, largest] = std::minmax_element(packing.radius.begin(), packing.radius.end());
+  Json out = {{"schema", "superstep.file"},
+              {"schema_version", 1},
+              {"file", path},
+              {"kind", "packing"},
+              {"format", packing.format},
+              {"frame", packing.frame},
+              {"particles", packing.size()},
+              {"diameter_min_m", 2 * *smallest},
+              {"diameter_max_m", 2 * *largest},
+              {"periodic", packing.cell ? packing.cell->periodic_axes() : "none"},
+              {"length_unit_m", packing.length_unit},
+              {"materials", packing.material_names},
+              {"attributes", names_of(packing.attributes)},
+              {"notes", packing.notes},
+              {"warnings", packing.warnings}};
+  if (conduction)
+    out["conduction"] = {{"axis", std::string(1, conduction->axis)},
+                         {"coordination", conduction->coordination},
+                         {"components", conduction->components},
+                         {"isolated", conduction->isolated},
+                         {"effective_conductivity", optional_number(conduction->between_layers)},
+                         {"effective_conductivity_periodic", optional_number(conduction->periodic)},
+                         {"note", conduction->note},
+                         {"transit_time_s", conduction->time},
+                         {"recommended", conduction->method}};
+  return json_text(out);
+}
+
+/// A network file by its content: what it is, and the network; nothing for other files.
+struct NetworkFile {
+  std::string format;
+  NetworkInput input;
+};
+
+std::optional<NetworkFile> read_as_network(const std::string& path) {
+  const std::string text = read_file(path);
+  if (is_matrix_market(text))
+    return NetworkFile{"Matrix Market", read_matrix_network(path, MatrixKind::automatic, 0.0)};
+  if (text.find('\0') != std::string::npos || text.find_first_not_of(" \t\r\n") == std::string::npos)
+    return std::nullopt;
+  std::vector<std::string> names;
+  try {
+    for (const auto& name : DelimitedTable(path, text).names()) names.push_back(lower_case(name));
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  const auto ends_with = [&](const std::string& ending) {
+    return std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.ends_with(ending); });
+  };
+  if (ends_with("throat.conns[0]") != names.end()) {
+    for (const auto& name : names)
+      if (name.find("throat.") != std::string::npos && name.find("conductance") != std::string::npos)
+        return NetworkFile{fmt::format("OpenPNM pore network, conducting by '{}'", name),
+                           read_openpnm(path, name.substr(name.find("throat.")), {}).input};
+    throw InputError(
+        fmt::format("{}: a pore network without a column throat.*conductance; export one", path));
+  }
+  const auto has = [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (has("i") && has("j") && has("conductance")) return NetworkFile{"edge list", read_edge_list(path)};
+  return std::nullopt;
+}
+
+std::string network_report(const NetworkFile& network, const std::string& path, bool json) {
+  const auto& graph = network.input.graph;
+  const Components components = connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
+  double low = graph.edges() > 0 ? graph.conductance[0] : 0, high = low;
+  for (const double k : graph.conductance) {
+    low = std::min(low, k);
+    high = std::max(high, k);
+  }
+  if (json)
+    return json_text(Json{{"schema", "superstep.file"},
+                          {"schema_version", 1},
+                          {"file", path},
+                          {"kind", "network"},
+                          {"format", network.format},
+                          {"nodes", graph.nodes()},
+                          {"edges", graph.edges()},
+                          {"components", components.count},
+                          {"conductance_min", low},
+                          {"conductance_max", high},
+                          {"notes", network.input.notes}});
+  return fmt::format("{}: a network\n", path) + row("format", network.format) +
+         row("nodes", fmt::format("{}", graph.nodes())) + row("edges", fmt::format("{}", graph.edges())) +
+         row("components", fmt::format("{}", components.count)) +
+         row("conductances", fmt::format("{:.4g} to {:.4g} W/K or S", low, high)) +
+         rows("understood", network.input.notes);
+}
+
+}  // namespace
+
+bool is_no_case(const std::string& path) {
+  require_regular_file(path);
+  if (std::filesystem::path(path).extension() == ".toml") return false;
+  try {
+    (void)TomlTable::parse_file(path);
+    return false;
+  } catch (const InputError&) {
+    return true;
+  }
+}
+
+std::string file_report(const InfoCommand& command) {
+  const std::string& path = command.case_file;
+  if (recognised_format(path).empty())
+    if (const auto network = read_as_network(path))
+      return network_report(*network, path, command.common.json);
+  const Packing packing = read_packing(path, command.file.reading);
+  std::optional<PackingConduction> conduction;
+  if (command.file.conductivity)
+    conduction = assess_conduction(packing, path, starter_settings(packing, command.file, path));
+  return command.common.json ? packing_json(packing, path, conduction)
+                             : packing_text(packing, path, conduction);
+}
+
+}  // namespace superstep

@@ -1,0 +1,131 @@
+#include "bench/output/system_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <vector>
+
+#include "bench/output/output_folder.hpp"
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "network/files/matrix_market.hpp"
+
+namespace superstep {
+namespace {
+
+/// A graph in which surroundings are nodes.
+struct System {
+  std::vector<MatrixMarket::Entry> off_diagonal;  ///< row > column
+  std::vector<double> diagonal, capacity, source, initial;
+  std::vector<std::pair<std::size_t, double>> fixed;  ///< row from 0, value
+  std::vector<std::string> name;                      ///< of the rows
+  std::string remarks;
+};
+
+void join(System& system, std::size_t i, std::size_t j, double conductance) {
+  if (!(conductance > 0)) return;
+  system.off_diagonal.push_back({static_cast<std::int32_t>(std::max(i, j)),
+                                 static_cast<std::int32_t>(std::min(i, j)), -conductance, 0});
+  system.diagonal[i] += conductance;
+  system.diagonal[j] += conductance;
+}
+
+void add_surroundings(const Graph& graph, System& system) {
+  std::map<double, std::size_t> row_of;
+  for (const auto& exchange : graph.convection) {
+    const double ambient =
+        exchange.table < 0 ? exchange.ambient : graph.tables[static_cast<std::size_t>(exchange.table)].at(0);
+    const auto [entry, is_new] = row_of.try_emplace(ambient, system.name.size());
+    if (is_new) {
+      system.name.push_back("surroundings");
+      system.fixed.push_back({entry->second, ambient});
+      for (auto* list : {&system.diagonal, &system.source}) list->push_back(0.0);
+      system.capacity.push_back(1.0);
+      system.initial.push_back(ambient);
+    }
+    join(system, static_cast<std::size_t>(exchange.node), entry->second, exchange.coefficient);
+  }
+}
+
+System system_of(const Scene& scene, const FieldScene& field) {
+  const Graph& graph = field.graph;
+  if (!graph.radiation.empty())
+    throw InputError(fmt::format(
+        "{}: radiation is not linear, so that there is no matrix to write; leave it out", scene.file));
+  System system;
+  system.capacity = field.steady ? std::vector<double>(graph.nodes(), 1.0) : graph.capacity;
+  system.source = graph.source;
+  system.initial = graph.initial;
+  system.diagonal.assign(graph.nodes(), 0.0);
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    system.name.push_back(std::to_string(graph.id[node]));
+    if (graph.is_fixed[node]) system.fixed.push_back({node, graph.fixed_at(node, 0)});
+  }
+  for (const auto& source : graph.tabled_sources)
+    system.source[static_cast<std::size_t>(source.node)] +=
+        graph.tables[static_cast<std::size_t>(source.table)].at(0);
+  for (std::size_t k = 0; k < graph.edges(); ++k)
+    join(system, static_cast<std::size_t>(graph.i[k]), static_cast<std::size_t>(graph.j[k]),
+         graph.conductance[k]);
+  add_surroundings(graph, system);
+  if (!graph.tables.empty()) system.remarks += "; inputs that change in time are those at t = 0";
+  const auto& laws = field.laws.of_material;
+  if (std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.varies(); }))
+    system.remarks += "; conductivities are those at their reference";
+  if (!field.algebraic.empty()) system.remarks += "; nodes of capacity 0 are eliminated";
+  return system;
+}
+
+std::string matrix_text(const System& system, const std::string& comment) {
+  auto entries = system.off_diagonal;
+  for (std::size_t row = 0; row < system.diagonal.size(); ++row)
+    if (system.diagonal[row] != 0)
+      entries.push_back(
+          {static_cast<std::int32_t>(row), static_cast<std::int32_t>(row), system.diagonal[row], 0});
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.column, a.row) < std::pair(b.column, b.row);
+  });
+  return matrix_market_text(system.diagonal.size(), entries, comment);
+}
+
+std::string case_text(const Scene& scene, const FieldScene& field, const std::string& prefix,
+                      const System& system) {
+  const auto file = [&](const char* name) { return fmt::format("\"{}{}\"", prefix, name); };
+  std::string out = fmt::format(
+      "title = \"{} of {}\"\nt_end = {:e}\n\n[network]\nmatrix = {}\nmatrix_kind = \"laplacian\"\n"
+      "field = \"{}\"\ncapacity = {}\nsource = {}\ninitial = {}\n",
+      field.name, scene.name, scene.t_end, file("K.mtx"), field.name, file("capacity.mtx"),
+      file("source.mtx"), file("initial.mtx"));
+  if (!system.fixed.empty()) out += fmt::format("fixed = {}\n", file("fixed.csv"));
+  return out;
+}
+
+}  // namespace
+
+void write_system(const std::string& folder, const Scene& scene) {
+  require_writable_folder(folder);
+  for (const auto& field : scene.fields) {
+    const std::string prefix = scene.fields.size() > 1 ? field.name + "_" : "";
+    const System system = system_of(scene, field);
+    const std::string comment = fmt::format("{} of {}: C dX/dt = -K X + Y, rows of fixed.csv are known{}",
+                                            field.name, scene.name, system.remarks);
+    const auto write = [&](const char* name, const std::string& text) {
+      write_file_atomically(fmt::format("{}/{}{}", folder, prefix, name), text);
+    };
+    write("K.mtx", matrix_text(system, comment));
+    write("capacity.mtx", matrix_market_text(system.capacity, comment));
+    write("source.mtx", matrix_market_text(system.source, comment));
+    write("initial.mtx", matrix_market_text(system.initial, comment));
+    std::string fixed = "id,value\n", nodes = "row,id\n";
+    for (const auto& [row, value] : system.fixed) fixed += fmt::format("{},{}\n", row + 1, value);
+    for (std::size_t row = 0; row < system.name.size(); ++row)
+      nodes += fmt::format("{},{}\n", row + 1, system.name[row]);
+    if (!system.fixed.empty()) write("fixed.csv", fixed);
+    write("nodes.csv", nodes);
+    write("case.toml", case_text(scene, field, prefix, system));
+  }
+}
+
+}  // namespace superstep

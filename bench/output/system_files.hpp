@@ -1,0 +1,18 @@
+#pragma once
+/// The linear system of a scene in files that any solver reads.
+
+#include <string>
+
+#include "case/scene.hpp"
+
+namespace superstep {
+
+/// Writes each field's system C dX/dt = -K X + Y into the folder, in the Matrix Market's format: K.mtx (the
+/// Laplacian of all nodes, those with fixed values included; surroundings are fixed nodes at its end),
+/// capacity.mtx, source.mtx, initial.mtx, fixed.csv, nodes.csv (which row is which id), and case.toml, which
+/// reads them back. A second field's files begin with its name. Conductivities that follow temperature are
+/// written at their reference values, inputs that change in time at t = 0; a comment says so. Throws
+/// InputError for radiation, which is not linear.
+void write_system(const std::string& folder, const Scene& scene);
+
+}  // namespace superstep

@@ -1,0 +1,158 @@
+#include "case/inputs/read_amount.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "case/inputs/named_column.hpp"
+#include "case/read_packing_scene.hpp"
+#include "core/error.hpp"
+#include "core/text/delimited.hpp"
+
+namespace superstep {
+namespace {
+
+/// Two equal neighbours are a step; a third value at the same instant would have no meaning. Calls
+/// reject(index, rule).
+template <class Reject>
+void require_ascending(const std::vector<double>& time, Reject reject) {
+  for (std::size_t k = 1; k < time.size(); ++k) {
+    if (time[k] < time[k - 1])
+      reject(k, fmt::format("the times must be ascending, and {} follows {}", time[k], time[k - 1]));
+    if (k > 1 && time[k] == time[k - 2])
+      reject(k,
+             fmt::format(
+                 "{} stands three times; the times must be ascending, and a step is two equal times with the "
+                 "value before it and the value after it",
+                 time[k]));
+  }
+}
+
+TimeTable read_lists(TomlTable& table) {
+  const auto times = table.require("times", "it lists instants, ascending [s]; or give a file");
+  const auto values = table.require("values", "it lists the value at each instant");
+  TimeTable out{times.numbers(), values.numbers()};
+  if (out.time.empty()) times.reject("a table needs at least one instant");
+  if (out.value.size() != out.time.size()) values.reject("there must be as many values as times");
+  require_ascending(out.time, [&](std::size_t, const std::string& rule) { times.reject(rule); });
+  return out;
+}
+
+TimeTable read_profile(TomlTable& table, const std::string& name) {
+  const std::string path = beside_case(table.file(), name);
+  const std::string text = read_text_file(path);
+  DelimitedTable rows(path, text);
+  const auto column = [&](const char* key, std::size_t fallback) {
+    const auto stated = table.find(key);
+    return column_named(rows, stated ? stated->string() : key, stated ? stated->where() : path,
+                        stated ? std::nullopt : std::optional(fallback));
+  };
+  const std::size_t time = column("time", 0), value = column("value", 1);
+  TimeTable out;
+  std::vector<std::size_t> line;
+  while (rows.next()) {
+    out.time.push_back(number_in(rows, time));
+    out.value.push_back(number_in(rows, value));
+    line.push_back(rows.line());
+  }
+  if (out.time.empty())
+    throw InputError(fmt::format("{}: has no rows; a profile needs at least one instant", path));
+  require_ascending(out.time, [&](std::size_t k, const std::string& rule) {
+    throw InputError(fmt::format("{}:{}: {}", path, line[k], rule));
+  });
+  return out;
+}
+
+/// The profile over and over, from t = 0 to t_end. Where it is shorter than its period, the line from its
+/// last value to its first closes it.
+TimeTable repeated(const TimeTable& once, const TomlValue& period, double t_end) {
+  constexpr double most_knots = 5e6;
+  const double length = period.number(), own = once.time.back() - once.time.front();
+  if (!(length > 0)) period.reject("it must be > 0 [s]");
+  if (own > length)
+    period.reject(fmt::format("the profile is {} s long, and must not be longer than its period", own));
+  const double first = std::floor((0 - once.time.front()) / length),
+               last = std::ceil((t_end - once.time.front()) / length);
+  if ((last - first + 1) * static_cast<double>(once.time.size()) > most_knots)
+    period.reject(fmt::format(
+        "up to t_end = {} s the profile would have more than {} instants; it is too short, or t_end "
+        "too late",
+        t_end, most_knots));
+  TimeTable out;
+  for (double turn = first; turn <= last; ++turn)
+    for (std::size_t k = 0; k < once.time.size(); ++k) {
+      // What comes later has been rounded more: it must not fall behind what is there.
+      double at = once.time[k] + turn * length;
+      if (!out.time.empty()) at = std::max(at, out.time.back());
+      const std::size_t n = out.time.size();
+      if (n >= 2 && out.time[n - 1] == at && out.time[n - 2] == at) {
+        out.value[n - 1] =
+            once.value[k];  // a step at the seam of two periods: what lies between has no duration
+        continue;
+      }
+      out.time.push_back(at);
+      out.value.push_back(once.value[k]);
+    }
+  return out;
+}
+
+void require_covered(const TomlValue& outside, const TimeTable& table, double t_end) {
+  if (table.time.front() > 0 || table.time.back() < t_end)
+    outside.reject(fmt::format(
+        "the table holds from {} to {} s, and the run goes from 0 to {} s; lengthen the table, or "
+        "choose \"clamp\" or \"zero\"",
+        table.time.front(), table.time.back(), t_end));
+}
+
+/// Nothing before the first and after the last instant. A step there needs two equal times.
+void add_zero_ends(const TomlValue& outside, TimeTable& table) {
+  const auto is_step = [&](std::size_t k) {
+    return table.time.size() > k + 1 && table.time[k] == table.time[k + 1];
+  };
+  if (is_step(0) || (table.time.size() > 1 && is_step(table.time.size() - 2)))
+    outside.reject(
+        "the table begins or ends with a step, which \"zero\" makes itself; leave the first or the last row "
+        "out");
+  table.time.insert(table.time.begin(), table.time.front());
+  table.value.insert(table.value.begin(), 0.0);
+  if (table.time.size() == 2 && table.time[0] == table.time[1])
+    outside.reject("a single instant lasts no time");
+  table.time.push_back(table.time.back());
+  table.value.push_back(0.0);
+}
+
+void apply_outside(const TomlValue& outside, double t_end, TimeTable& table) {
+  const std::string word = outside.string();
+  if (word == "error")
+    require_covered(outside, table, t_end);
+  else if (word == "zero")
+    add_zero_ends(outside, table);
+  else if (word != "clamp")
+    outside.reject("it must be \"clamp\", \"zero\" or \"error\"");
+}
+
+}  // namespace
+
+Amount read_amount(const TomlValue& amount, double t_end, Graph& graph) {
+  if (!amount.is_table()) return {amount.number(), -1};
+  TomlTable table = amount.table();
+  const auto file = table.find("file");
+  if (file && (table.find("times") || table.find("values")))
+    file->reject("give either a file, or times and values");
+  TimeTable out = file ? read_profile(table, file->string()) : read_lists(table);
+  const auto scale = table.find("scale"), period = table.find("period"), outside = table.find("outside");
+  if (scale)
+    for (double& value : out.value) value *= scale->number();
+  if (period && outside) outside->reject("a table with a period has no outside; leave one of the two out");
+  if (period) out = repeated(out, *period, t_end);
+  if (outside) apply_outside(*outside, t_end, out);
+  table.finish();
+  graph.tables.push_back(std::move(out));
+  return {graph.tables.back().at(0), static_cast<std::int32_t>(graph.tables.size()) - 1};
+}
+
+}  // namespace superstep

@@ -1,0 +1,74 @@
+#include "case/network/node_vector.hpp"
+
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+#include "case/inputs/named_column.hpp"
+#include "core/error.hpp"
+#include "core/text/number.hpp"
+#include "network/files/matrix_market.hpp"
+
+namespace superstep {
+namespace {
+
+[[noreturn]] void wrong_length(const std::string& path, std::size_t found, std::size_t nodes) {
+  throw InputError(
+      fmt::format("{}: has {} values, and the network {} nodes; give one for each", path, found, nodes));
+}
+
+NodeVector of_matrix(const std::string& path, std::size_t nodes) {
+  const MatrixMarket matrix = read_matrix_market(path);
+  if (matrix.columns != 1 || matrix.rows != nodes) wrong_length(path, matrix.rows * matrix.columns, nodes);
+  NodeVector out{std::vector<double>(nodes, 0.0), std::vector<char>(nodes, 0)};
+  for (const auto& entry : matrix.entries) {
+    out.value[static_cast<std::size_t>(entry.row)] += entry.value;
+    out.given[static_cast<std::size_t>(entry.row)] = 1;
+  }
+  return out;
+}
+
+NodeVector of_column(DelimitedTable& table, const std::string& path, std::size_t nodes) {
+  NodeVector out;
+  while (table.next()) {
+    const bool gap = lower_case(table.cells()[0]) == "nan";
+    out.value.push_back(gap ? 0.0 : number_in(table, 0));
+    out.given.push_back(gap ? 0 : 1);
+  }
+  if (out.value.size() != nodes) wrong_length(path, out.value.size(), nodes);
+  return out;
+}
+
+NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
+  std::unordered_map<std::int64_t, std::size_t> position;
+  for (std::size_t k = 0; k < id.size(); ++k) position.emplace(id[k], k);
+  NodeVector out{std::vector<double>(id.size(), 0.0), std::vector<char>(id.size(), 0)};
+  while (table.next()) {
+    const auto number = parse_whole_number(table.cells()[0]);
+    const auto found = number ? position.find(*number) : position.end();
+    if (found == position.end())
+      throw InputError(fmt::format("{}: id is {}; it must be a node of the network", table.where(),
+                                   quoted(table.cells()[0])));
+    if (out.given[found->second])
+      throw InputError(fmt::format("{}: id {} stands twice; keep one", table.where(), found->first));
+    out.value[found->second] = number_in(table, 1);
+    out.given[found->second] = 1;
+  }
+  return out;
+}
+
+}  // namespace
+
+NodeVector read_node_vector(const std::string& path, std::span<const std::int64_t> id) {
+  const std::string text = read_text_file(path);
+  if (is_matrix_market(text)) return of_matrix(path, id.size());
+  DelimitedTable table(path, text);
+  if (table.width() == 1) return of_column(table, path, id.size());
+  if (table.width() == 2) return of_pairs(table, id);
+  throw InputError(fmt::format(
+      "{}: rows have {} columns; a value for each node is one column, or id and value, or a vector "
+      "of the Matrix Market",
+      table.where(), table.width()));
+}
+
+}  // namespace superstep

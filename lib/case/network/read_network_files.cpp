@@ -1,0 +1,169 @@
+#include "case/network/read_network_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "case/inputs/read_amount.hpp"
+#include "case/inputs/read_initial.hpp"
+#include "case/network/node_vector.hpp"
+#include "case/read_packing_scene.hpp"
+#include "core/error.hpp"
+#include "network/files/read_network.hpp"
+
+namespace superstep {
+namespace {
+
+MatrixKind matrix_kind(TomlTable& network) {
+  const auto kind = network.find("matrix_kind");
+  if (!kind || kind->string() == "auto") return MatrixKind::automatic;
+  if (kind->string() == "laplacian") return MatrixKind::laplacian;
+  if (kind->string() == "conductance") return MatrixKind::conductance;
+  kind->reject("it must be \"auto\", \"laplacian\" or \"conductance\"");
+}
+
+/// A number for all nodes, or a file with one for each; nothing when the key is not there.
+void read_vector(TomlTable& network, const char* key, std::span<const std::int64_t> id,
+                 std::vector<double>& out) {
+  const auto value = network.find(key);
+  if (!value) return;
+  if (!value->is_string()) {
+    out.assign(id.size(), value->number());
+    return;
+  }
+  const std::string path = beside_case(network.file(), value->string());
+  NodeVector values = read_node_vector(path, id);
+  for (std::size_t k = 0; k < id.size() && std::string(key) == "capacity"; ++k)
+    if (!values.given[k])
+      value->reject(
+          fmt::format("the file has no value for node {}; every node needs a capacity, or 0", id[k]));
+  out = std::move(values.value);
+}
+
+void fix(Graph& graph, std::size_t node, const Amount& amount, const TomlValue& at) {
+  if (graph.is_fixed[node])
+    at.reject(fmt::format("node {} is fixed already; selections must not overlap", graph.id[node]));
+  if (amount.table >= 0 && graph.fixed_table.empty()) graph.fixed_table.assign(graph.nodes(), -1);
+  graph.is_fixed[node] = 1;
+  graph.fixed_value[node] = amount.value;
+  if (!graph.fixed_table.empty()) graph.fixed_table[node] = amount.table;
+}
+
+/// Nodes of an entry `{ ids, value }` or, in a pore network, `{ label, value }`.
+std::vector<std::size_t> nodes_of(TomlTable& entry, const Graph& graph, const PoreNetwork* pores) {
+  std::vector<std::size_t> out;
+  if (pores != nullptr)
+    if (const auto label = entry.find("label")) {
+      std::vector<std::string> names;
+      for (const auto& [name, mask] : pores->labels) {
+        names.push_back(name);
+        if (name != label->string()) continue;
+        for (std::size_t k = 0; k < mask.size(); ++k)
+          if (mask[k]) out.push_back(k);
+        if (out.empty()) label->reject("it holds no pore");
+        return out;
+      }
+      label->reject(fmt::format("it must be a label of the pores; those are {}", fmt::join(names, ", ")));
+    }
+  std::unordered_map<std::int64_t, std::size_t> position;
+  for (std::size_t k = 0; k < graph.nodes(); ++k) position.emplace(graph.id[k], k);
+  for (const auto& id : entry.require("ids", "it lists nodes").array()) {
+    const auto found = position.find(id.integer());
+    if (found == position.end()) id.reject("it must be the id of a node");
+    out.push_back(found->second);
+  }
+  return out;
+}
+
+/// `fixed` is a file of ids and values, or a list of { ids, value }.
+void read_fixed(TomlTable& network, double t_end, const PoreNetwork* pores, Graph& graph) {
+  const auto fixed = network.find("fixed");
+  if (!fixed) return;
+  if (fixed->is_string()) {
+    const NodeVector values = read_node_vector(beside_case(network.file(), fixed->string()), graph.id);
+    for (std::size_t k = 0; k < graph.nodes(); ++k)
+      if (values.given[k]) fix(graph, k, {values.value[k], -1}, *fixed);
+    return;
+  }
+  for (const auto& value : fixed->array()) {
+    TomlTable entry = value.table();
+    const auto nodes = nodes_of(entry, graph, pores);
+    const Amount amount = read_amount(entry.require("value", "it is the fixed value"), t_end, graph);
+    entry.finish();
+    for (const auto node : nodes) fix(graph, node, amount, value);
+  }
+}
+
+/// A file with a source for each node, or one amount for all of them.
+void read_source(TomlTable& network, double t_end, Graph& graph) {
+  const auto source = network.find("source");
+  if (!source) return;
+  if (source->is_string()) return read_vector(network, "source", graph.id, graph.source);
+  const Amount amount = read_amount(*source, t_end, graph);
+  for (std::size_t k = 0; k < graph.nodes(); ++k)
+    if (amount.table < 0)
+      graph.source[k] = amount.value;
+    else
+      graph.tabled_sources.push_back({static_cast<std::int32_t>(k), amount.table});
+}
+
+/// What the files of nodes hold, for networks that come without one.
+void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, Graph& graph) {
+  if (pores == nullptr) read_vector(network, "capacity", graph.id, graph.capacity);
+  for (std::size_t k = 0; k < graph.nodes(); ++k)
+    if (!(graph.capacity[k] >= 0))
+      throw InputError(fmt::format("{}: capacity of node {} is {}; it must be >= 0 (J/K or F)",
+                                   network.where(), graph.id[k], graph.capacity[k]));
+  read_source(network, t_end, graph);
+  if (const auto initial = network.find("initial"); initial && initial->is_string())
+    read_vector(network, "initial", graph.id, graph.initial);
+  else
+    graph.initial = read_initial(network, graph.id, nullptr);
+  read_fixed(network, t_end, pores, graph);
+}
+
+NetworkInput read_pores(TomlTable& network, const TomlValue& file, double t_end) {
+  const auto conductance = network.require("conductance", "it names the throats' column of conductances");
+  const auto capacity = network.find("capacity");
+  const bool by_column = capacity && capacity->is_string();
+  PoreNetwork pores = read_openpnm(beside_case(network.file(), file.string()), conductance.string(),
+                                   by_column ? capacity->string() : std::string{});
+  if (capacity && !by_column)
+    pores.input.graph.capacity.assign(pores.input.graph.nodes(), capacity->number());
+  read_node_keys(network, t_end, &pores, pores.input.graph);
+  return std::move(pores.input);
+}
+
+}  // namespace
+
+NetworkInput read_network_files(TomlTable& network, double t_end) {
+  const auto matrix = network.find("matrix"), openpnm = network.find("openpnm"),
+             nodes = network.find("nodes"), edges = network.find("edges");
+  const int ways = (matrix ? 1 : 0) + (openpnm ? 1 : 0) + (edges ? 1 : 0);
+  if (ways > 1) throw InputError(fmt::format("{}: give one of edges, matrix and openpnm", network.where()));
+  const auto path = [&](const TomlValue& file) { return beside_case(network.file(), file.string()); };
+  if (openpnm) return read_pores(network, *openpnm, t_end);
+  if (matrix) {
+    NetworkInput input =
+        read_matrix_network(path(*matrix), matrix_kind(network), network.number("ambient").value_or(0.0));
+    read_node_keys(network, t_end, nullptr, input.graph);
+    return input;
+  }
+  if (!edges)
+    network.missing(
+        "edges",
+        "give nodes and edges (CSV with id,capacity,source,initial,fixed and i,j,conductance), a matrix, "
+        "or openpnm");
+  if (nodes) return read_nodes_and_edges(path(*nodes), path(*edges));
+  if (!network.find("capacity"))
+    network.missing("nodes",
+                    "it names a CSV with id,capacity,source,initial,fixed; edges alone need a capacity here");
+  NetworkInput input = read_edge_list(path(*edges));
+  read_node_keys(network, t_end, nullptr, input.graph);
+  return input;
+}
+
+}  // namespace superstep

@@ -1,0 +1,171 @@
+#include "core/text/delimited.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/text/number.hpp"
+
+namespace superstep {
+namespace {
+
+bool is_blank(char c) noexcept {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+/// Takes one cell off the front of `rest`, up to the delimiter, which goes too; `more` tells whether it was
+/// there.
+bool take_cell(std::string_view& rest, char delimiter, std::string_view& cell, bool& more) {
+  std::size_t k = 0;
+  while (k < rest.size() && is_blank(rest[k]) && rest[k] != delimiter) ++k;
+  std::size_t end = std::string_view::npos;
+  if (k < rest.size() && rest[k] == '"') {
+    std::size_t close = k + 1;
+    for (;; close += 2) {  // a doubled quote stands for one
+      close = rest.find('"', close);
+      if (close == std::string_view::npos) return false;
+      if (close + 1 >= rest.size() || rest[close + 1] != '"') break;
+    }
+    cell = trimmed(rest.substr(k + 1, close - k - 1));
+    end = delimiter == ' ' ? rest.find_first_of(" \t\r", close) : rest.find(delimiter, close);
+    if (!trimmed(rest.substr(close + 1, end == std::string_view::npos ? end : end - close - 1)).empty())
+      return false;
+  } else {
+    end = delimiter == ' ' ? rest.find_first_of(" \t\r", k) : rest.find(delimiter, k);
+    cell = trimmed(rest.substr(k, end == std::string_view::npos ? end : end - k));
+  }
+  more = end != std::string_view::npos;
+  rest = more ? rest.substr(end + 1) : std::string_view{};
+  return true;
+}
+
+/// NaN and infinity are numbers of a broken run, and no header.
+bool is_number(std::string_view cell) {
+  if (parse_number(cell)) return true;
+  std::string word = lower_case(cell);
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.erase(0, 1);
+  return word == "nan" || word == "inf" || word == "infinity";
+}
+
+/// A word that no broken number begins with: "0,5" or "0x10" in a first row does not make it a header.
+bool is_name(std::string_view cell) {
+  if (cell.empty() || is_number(cell)) return false;
+  const auto first = static_cast<unsigned char>(cell.front());
+  return std::isalpha(first) || first >= 0x80 || first == '_' || first == '[' || first == '(';
+}
+
+/// False where tabs are mere blanks among others: between them stands nothing, or several numbers.
+bool tabs_divide(std::string_view line) noexcept {
+  for (;;) {
+    const std::size_t tab = line.find('\t');
+    const std::string_view cell = trimmed(line.substr(0, tab));
+    if (cell.empty()) return false;
+    const std::size_t blank = cell.find(' ');
+    if (blank != std::string_view::npos && parse_number(cell.substr(0, blank))) return false;
+    if (tab == std::string_view::npos) return true;
+    line.remove_prefix(tab + 1);
+  }
+}
+
+bool all_blank(const std::vector<std::string_view>& cells) {
+  return std::all_of(cells.begin(), cells.end(), [](auto cell) { return cell.empty(); });
+}
+
+}  // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (auto& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+bool split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells) {
+  cells.clear();
+  std::string_view rest = delimiter == ' ' ? trimmed(line) : line, cell;
+  for (bool more = true; more;) {
+    if (!take_cell(rest, delimiter, cell, more)) return false;
+    cells.push_back(cell);
+    if (delimiter == ' ') rest = trimmed(rest);
+  }
+  return true;
+}
+
+char delimiter_of(std::string_view line) noexcept {
+  line = trimmed(line);
+  bool is_quoted = false, comma = false;
+  for (const char c : line) {
+    if (c == '"') is_quoted = !is_quoted;
+    if (!is_quoted && c == ';') return ';';
+    comma = comma || (!is_quoted && c == ',');
+  }
+  if (line.find('\t') != std::string_view::npos && tabs_divide(line)) return '\t';
+  return comma ? ',' : ' ';
+}
+
+bool is_comment_or_blank(std::string_view line) noexcept {
+  line = trimmed(line);
+  return line.empty() || line.front() == '#' || line.front() == '%';
+}
+
+DelimitedTable::DelimitedTable(std::string path, std::string_view text)
+    : path_(std::move(path)), lines_(text) {
+  std::string_view comment;
+  while (lines_.next() && is_comment_or_blank(lines_.line()))
+    if (!trimmed(lines_.line()).empty()) comment = trimmed(lines_.line()).substr(1);
+  const std::string_view separator = trimmed(lines_.line());
+  const bool stated =
+      separator.size() == 5 && lower_case(separator.substr(0, 4)) == "sep=";  // spreadsheets' own line
+  if (stated) lines_.next();
+  first_text_ = lines_.line();
+  first_line_ = line_ = lines_.number();
+  delimiter_ = stated ? separator[4] : delimiter_of(first_text_);
+  split(first_text_);
+  width_ = cells_.size();
+  if (std::any_of(cells_.begin(), cells_.end(), is_name) &&
+      std::none_of(cells_.begin(), cells_.end(), is_number)) {
+    names_.assign(cells_.begin(), cells_.end());
+    return;
+  }
+  row_waits_ = !is_comment_or_blank(first_text_);
+  std::vector<std::string_view> cells;
+  for (const char delimiter : {delimiter_, delimiter_of(comment)})
+    if (split_cells(comment, delimiter, cells) && cells.size() == width_ &&
+        std::all_of(cells.begin(), cells.end(), is_name)) {
+      names_.assign(cells.begin(), cells.end());
+      return;
+    }
+}
+
+std::string DelimitedTable::where() const {
+  return fmt::format("{}:{}", path_, line_);
+}
+
+void DelimitedTable::split(std::string_view line) {
+  if (!split_cells(line, delimiter_, cells_))
+    throw InputError(
+        fmt::format("{}: row {} has a quote that is not closed, or text beside a quoted cell; mend it",
+                    where(), quoted(line)));
+}
+
+bool DelimitedTable::next() {
+  if (std::exchange(row_waits_, false)) return true;
+  while (lines_.next()) {
+    if (is_comment_or_blank(lines_.line())) continue;
+    line_ = lines_.number();
+    split(lines_.line());
+    if (cells_.size() == width_ && all_blank(cells_)) continue;  // as spreadsheets leave them below a table
+    if (cells_.size() != width_)
+      throw InputError(fmt::format(
+          "{}: row '{}' has {} cells, the {} has {}; every row needs all columns, and numbers a decimal "
+          "point, not a comma",
+          where(), lines_.line().substr(0, 120), cells_.size(), names_.empty() ? "first row" : "header",
+          width_));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace superstep

@@ -1,0 +1,65 @@
+#pragma once
+/// Tables as people have them: cells between commas, semicolons, tabs or blanks, quoted or not, with
+/// comments, with a header or without.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text/text_file.hpp"
+
+namespace superstep {
+
+/// Splits a line at a delimiter; ' ' stands for runs of blanks and tabs. Cells lose the blanks around them
+/// and their double quotes. Returns false for a quote that is never closed.
+bool split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
+
+/// The delimiter of a table by one of its lines: ';' before tab before ',' (outside quotes), else blanks.
+[[nodiscard]] char delimiter_of(std::string_view line) noexcept;
+
+/// True for a line that says nothing to a table: blank, or a comment (`#` or `%`).
+[[nodiscard]] bool is_comment_or_blank(std::string_view line) noexcept;
+
+/// Lower case of ASCII letters.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+class DelimitedTable {
+ public:
+  /// Finds delimiter and header of `text`, which must outlive the table. The header is the first line that is
+  /// no comment, where it holds a word and no number; else the last comment before it, where that has as many
+  /// cells and no number (as numpy.savetxt writes it); else there is none.
+  DelimitedTable(std::string path, std::string_view text);
+
+  /// Names of the columns as they are written; empty without a header.
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+  /// Cells of every row.
+  [[nodiscard]] std::size_t width() const noexcept { return width_; }
+  [[nodiscard]] char delimiter() const noexcept { return delimiter_; }
+  /// Line of the header, or of the first row.
+  [[nodiscard]] std::size_t first_line() const noexcept { return first_line_; }
+  [[nodiscard]] std::string_view first_text() const noexcept { return first_text_; }
+
+  /// Moves to the next row that is neither blank nor a comment; false at the end. A short or long row throws
+  /// InputError.
+  bool next();
+  [[nodiscard]] const std::vector<std::string_view>& cells() const noexcept { return cells_; }
+  [[nodiscard]] std::size_t line() const noexcept { return line_; }
+  /// "file:line", to begin an error message with.
+  [[nodiscard]] std::string where() const;
+
+ private:
+  void split(std::string_view line);
+
+  std::string path_;
+  LineReader lines_;
+  std::vector<std::string> names_;
+  std::vector<std::string_view> cells_;
+  std::string_view first_text_;
+  std::size_t width_ = 0, line_ = 0, first_line_ = 0;
+  char delimiter_ = ',';
+  bool row_waits_ = false;  ///< the first row was looked at to find out that there is no header
+};
+
+}  // namespace superstep

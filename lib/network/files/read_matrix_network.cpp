@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/error.hpp"
+#include "network/files/matrix_market.hpp"
+#include "network/files/read_network.hpp"
+
+namespace superstep {
+namespace {
+
+using Entry = MatrixMarket::Entry;
+
+/// Digits that writers drop or roundings leave: entries of a symmetric matrix are as equal as this, relative.
+constexpr double rounding = 1e-12;
+
+std::string name_of(const Entry& entry) {
+  return fmt::format("({}, {})", entry.row + 1, entry.column + 1);
+}
+
+[[noreturn]] void refuse(const std::string& file, const Entry& entry, const std::string& rule) {
+  throw InputError(
+      fmt::format("{}:{}: entry {} is {}; {}", file, entry.line, name_of(entry), entry.value, rule));
+}
+
+/// Entries that stand for one place are summed, as the format has it for coordinates; zeros are left out.
+void sort_and_sum(std::vector<Entry>& entries) {
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.row, a.column) < std::tie(b.row, b.column);
+  });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (kept > 0 && entries[kept - 1].row == entries[k].row && entries[kept - 1].column == entries[k].column)
+      entries[kept - 1].value += entries[k].value;
+    else
+      entries[kept++] = entries[k];
+  }
+  entries.resize(kept);
+  std::erase_if(entries, [](const Entry& entry) { return entry.value == 0; });
+}
+
+/// Off-diagonal entries with row < column, and the diagonal [rows].
+struct Halves {
+  std::vector<Entry> upper;
+  std::vector<double> diagonal;
+};
+
+Halves split(const std::string& file, MatrixMarket matrix) {
+  Halves out;
+  out.diagonal.assign(matrix.rows, 0.0);
+  std::vector<Entry> lower;
+  for (const auto& entry : matrix.entries) {
+    if (entry.row == entry.column)
+      out.diagonal[static_cast<std::size_t>(entry.row)] += entry.value;
+    else if (matrix.is_symmetric || entry.row < entry.column)
+      out.upper.push_back(
+          {std::min(entry.row, entry.column), std::max(entry.row, entry.column), entry.value, entry.line});
+    else
+      lower.push_back({entry.column, entry.row, entry.value, entry.line});
+  }
+  sort_and_sum(out.upper);
+  if (matrix.is_symmetric) return out;
+  sort_and_sum(lower);
+  const std::size_t both = std::min(lower.size(), out.upper.size());
+  for (std::size_t k = 0; k < both || k < std::max(lower.size(), out.upper.size()); ++k) {
+    const bool same_place =
+        k < both && lower[k].row == out.upper[k].row && lower[k].column == out.upper[k].column;
+    if (same_place && std::abs(lower[k].value - out.upper[k].value) <=
+                          rounding * std::max(std::abs(lower[k].value), std::abs(out.upper[k].value))) {
+      out.upper[k].value = 0.5 * (lower[k].value + out.upper[k].value);
+      continue;
+    }
+    const bool below =
+        k >= out.upper.size() || (k < lower.size() && std::tie(lower[k].row, lower[k].column) <
+                                                          std::tie(out.upper[k].row, out.upper[k].column));
+    Entry odd = below ? lower[k] : out.upper[k];
+    if (below) std::swap(odd.row, odd.column);
+    refuse(
+        file, odd,
+        "the entry across the diagonal is another; conduction is symmetric: mend the matrix, or check how it "
+        "was written");
+  }
+  return out;
+}
+
+MatrixKind find_kind(const Halves& halves) {
+  const bool all_positive =
+      std::all_of(halves.upper.begin(), halves.upper.end(), [](const Entry& e) { return e.value > 0; });
+  const bool no_diagonal =
+      std::all_of(halves.diagonal.begin(), halves.diagonal.end(), [](double d) { return d == 0; });
+  return all_positive && no_diagonal ? MatrixKind::conductance : MatrixKind::laplacian;
+}
+
+/// What a row sums to flows to the surroundings.
+void add_grounds(const std::string& file, const std::vector<double>& diagonal, double ambient,
+                 NetworkInput& input) {
+  std::vector<double> sum = diagonal;
+  for (std::size_t k = 0; k < input.graph.edges(); ++k)
+    for (const auto node : {input.graph.i[k], input.graph.j[k]})
+      sum[static_cast<std::size_t>(node)] -= input.graph.conductance[k];
+  std::size_t grounds = 0;
+  constexpr double cancellation = 1e-10;  // of the diagonal: what summing a row may leave
+  for (std::size_t row = 0; row < sum.size(); ++row) {
+    if (std::abs(sum[row]) <= cancellation * std::abs(diagonal[row])) continue;
+    if (sum[row] < 0)
+      throw InputError(
+          fmt::format("{}: row {} of the Laplacian sums to {}; its diagonal must not be smaller than what "
+                      "leads to other nodes: mend the matrix, or say matrix_kind",
+                      file, row + 1, sum[row]));
+    input.graph.convection.push_back({static_cast<std::int32_t>(row), sum[row], ambient, -1});
+    ++grounds;
+  }
+  if (grounds > 0)
+    input.notes.push_back(
+        fmt::format("{}: {} rows sum to more than 0: these nodes exchange with surroundings at {}", file,
+                    grounds, ambient));
+}
+
+}  // namespace
+
+NetworkInput read_matrix_network(const std::string& file, MatrixKind kind, double ambient) {
+  MatrixMarket matrix = read_matrix_market(file);
+  if (matrix.rows != matrix.columns)
+    throw InputError(
+        fmt::format("{}: the matrix is {} by {}; a network's is square", file, matrix.rows, matrix.columns));
+  const std::size_t rows = matrix.rows;
+  const Halves halves = split(file, std::move(matrix));
+  if (kind == MatrixKind::automatic) kind = find_kind(halves);
+  NetworkInput input{equal_nodes(rows), {}};
+  for (auto& id : input.graph.id) ++id;
+  const double sign = kind == MatrixKind::laplacian ? -1 : 1;
+  for (const auto& entry : halves.upper) {
+    if (!(sign * entry.value > 0))
+      refuse(file, entry,
+             kind == MatrixKind::laplacian
+                 ? "off the diagonal a Laplacian holds -K, <= 0; is this a table of "
+                   "conductances (matrix_kind = \"conductance\")?"
+                 : "a conductance must be >= 0; is this a Laplacian (matrix_kind = "
+                   "\"laplacian\")?");
+    add_edge(input.graph, static_cast<std::size_t>(entry.row), static_cast<std::size_t>(entry.column),
+             sign * entry.value);
+  }
+  input.notes.push_back(fmt::format("{}: read as a {}", file,
+                                    kind == MatrixKind::laplacian ? "Laplacian" : "table of conductances"));
+  if (kind == MatrixKind::laplacian) {
+    add_grounds(file, halves.diagonal, ambient, input);
+  } else if (std::any_of(halves.diagonal.begin(), halves.diagonal.end(), [](double d) { return d != 0; })) {
+    throw InputError(fmt::format(
+        "{}: a table of conductances has no diagonal; remove it, or say matrix_kind = \"laplacian\"", file));
+  }
+  return input;
+}
+
+}  // namespace superstep

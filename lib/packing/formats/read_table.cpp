@@ -1,0 +1,93 @@
+/// CSV and other tables of particles, with a header or without.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/text/delimited.hpp"
+#include "core/text/number.hpp"
+#include "packing/formats/columns.hpp"
+#include "packing/formats/formats.hpp"
+#include "packing/formats/sphere_rows.hpp"
+#include "packing/formats/stated.hpp"
+
+namespace superstep {
+namespace {
+
+bool all_numbers(const std::vector<std::string_view>& cells) {
+  return std::all_of(cells.begin(), cells.end(), [](auto cell) { return parse_number(cell).has_value(); });
+}
+
+/// Nearly every text with a delimiter is a table, so that what is wrong with it can be said; one whose cells
+/// stand between blanks must look like numbers, or name positions.
+bool recognises(const PackingFile& file) {
+  if (!file.is_text) return false;
+  std::vector<std::string_view> cells;
+  LineReader lines(file.content);
+  while (lines.next() && is_comment_or_blank(lines.line())) {
+  }
+  const char delimiter = delimiter_of(lines.line());
+  if (!split_cells(lines.line(), delimiter, cells)) return delimiter != ' ';
+  if (delimiter != ' ') return cells.size() > 1 || lower_case(trimmed(lines.line())).starts_with("sep=");
+  constexpr std::size_t position = 3;
+  if (cells.size() < position) return false;
+  return all_numbers(cells) || !file.options.columns.empty() ||
+         names_a_position(std::vector<std::string>(cells.begin(), cells.end()));
+}
+
+/// True when every row has a whole number in this column.
+bool column_is_whole(const PackingFile& file, std::size_t column) {
+  DelimitedTable rows(file.path, file.content);
+  while (rows.next())
+    if (!parse_whole_number(rows.cells()[column])) return false;
+  return true;
+}
+
+/// What four or five columns without names can only mean.
+std::vector<std::string> customary_names(const PackingFile& file, const DelimitedTable& table) {
+  if (table.width() == 4) return {"x", "y", "z", "radius"};
+  if (table.width() == 5 && column_is_whole(file, 0) && !column_is_whole(file, 4))
+    return {"id", "x", "y", "z", "radius"};
+  throw InputError(
+      fmt::format("{}: rows of {} columns without a header; without names only x y z radius and id x y z "
+                  "radius are understood: write a header, or declare the columns, as in [packing] columns = "
+                  "[\"x\", \"y\", \"z\", \"radius\", \"material\"]",
+                  table.where(), table.width()));
+}
+
+Packing read(const PackingFile& file) {
+  DelimitedTable table(file.path, file.content);
+  SphereLayout layout{.names = table.names(),
+                      .place = fmt::format("{}:{}", file.path, table.first_line()),
+                      .header = fmt::format("the header '{}'", table.first_text().substr(0, 120)),
+                      .cell = stated_cell(file)};
+  const auto& declared = file.options.columns;
+  const bool customary = layout.names.empty() && declared.empty();
+  if (!declared.empty()) {
+    layout.names = declared;
+    layout.header = "the declared columns";
+    if (declared.size() != table.width())
+      throw InputError(fmt::format("{}: row has {} columns, and {} are declared: {}; declare every column",
+                                   table.where(), table.width(), declared.size(), fmt::join(declared, ", ")));
+  } else if (customary) {
+    layout.names = customary_names(file, table);
+  }
+  SphereRows rows(file, std::move(layout));
+  while (table.next()) rows.add(table.cells(), table.line());
+  Packing packing = rows.finish();
+  if (customary)
+    packing.notes.insert(packing.notes.begin(), "no header: the columns are taken as " +
+                                                    std::string(table.width() == 5 ? "id, " : "") +
+                                                    "x, y, z, radius");
+  return packing;
+}
+
+}  // namespace
+
+PackingFormat table_format() {
+  return {"table (CSV, or blanks between the cells)", recognises, read};
+}
+
+}  // namespace superstep

@@ -1,0 +1,80 @@
+#include "packing/formats/stated.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text/text_file.hpp"
+#include "packing/formats/text_row.hpp"
+#include "packing/units.hpp"
+
+namespace superstep {
+
+std::optional<StatedValue> stated_value(std::string_view text, std::string_view key) {
+  LineReader lines(text);
+  while (lines.next()) {
+    std::string_view line = trimmed(lines.line());
+    if (line.empty()) continue;
+    if (line.front() != '#') break;
+    line = trimmed(line.substr(1));
+    if (!line.starts_with(key)) continue;
+    line = trimmed(line.substr(key.size()));
+    if (line.empty() || line.front() != '=') continue;
+    line = trimmed(line.substr(1));
+    if (line.size() >= 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
+    return StatedValue{std::string(line), lines.number()};
+  }
+  return std::nullopt;
+}
+
+std::optional<StatedUnit> stated_length_unit(const std::string& path, std::string_view text) {
+  const auto stated = stated_value(text, "length_unit");
+  if (!stated) return std::nullopt;
+  return StatedUnit{length_unit(stated->text, fmt::format("{}:{}", path, stated->line)),
+                    fmt::format("{}, as line {} says", stated->text, stated->line)};
+}
+
+std::array<bool, 3> periodic_edges(const std::string& word, const std::string& where) {
+  std::array<bool, 3> edges{};
+  if (word == "none") return edges;
+  for (const char c : word) {
+    const auto axis = std::string_view("xyz").find(c);
+    if (axis == std::string_view::npos || edges[axis])
+      throw InputError(fmt::format("{}: periodic is {}; it must be auto, none, or axes such as x, xy, xyz",
+                                   where, quoted(word)));
+    edges[axis] = true;
+  }
+  if (word.empty())
+    throw InputError(
+        fmt::format("{}: periodic is ''; it must be auto, none, or axes such as x, xy, xyz", where));
+  return edges;
+}
+
+std::optional<Cell> stated_cell(const PackingFile& file) {
+  const auto stated = stated_value(file.content, "cell"), periodic = stated_value(file.content, "periodic");
+  if (!stated) {
+    if (periodic)
+      throw InputError(
+          fmt::format("{}:{}: states what is periodic without a cell; add # cell = \"ox oy oz ax ay az bx by "
+                      "bz cx cy cz\", or remove it",
+                      file.path, periodic->line));
+    return std::nullopt;
+  }
+  TextRow row(file.path);
+  row.split(stated->text, stated->line);
+  row.require_size(12, "the corner and the three edges of the cell");
+  const auto vector = [&](std::size_t k) {
+    return Vec3{row.number(k, "cell"), row.number(k + 1, "cell"), row.number(k + 2, "cell")};
+  };
+  Cell cell{.origin = vector(0), .edge = {vector(3), vector(6), vector(9)}, .periodic = {}};
+  if (periodic)
+    cell.periodic = periodic_edges(periodic->text, fmt::format("{}:{}", file.path, periodic->line));
+  return cell;
+}
+
+std::string cell_comment(const Cell& cell) {
+  std::string out = fmt::format("# cell = \"{} {} {}", cell.origin.x, cell.origin.y, cell.origin.z);
+  for (const auto& edge : cell.edge) out += fmt::format(" {} {} {}", edge.x, edge.y, edge.z);
+  return out + fmt::format("\"\n# periodic = \"{}\"\n", cell.periodic_axes());
+}
+
+}  // namespace superstep

@@ -1,0 +1,69 @@
+#include "packing/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/text/text_file.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr std::array<std::pair<const char*, double>, 5> lengths = {
+    {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"nm", 1e-9}}};
+
+// Source: the LAMMPS command `units`; the electron style counts in Bohr radii (CODATA 2018).
+constexpr std::array<std::pair<const char*, double>, 8> styles = {{{"lj", 0.0},
+                                                                   {"real", 1e-10},
+                                                                   {"metal", 1e-10},
+                                                                   {"si", 1.0},
+                                                                   {"cgs", 1e-2},
+                                                                   {"electron", 5.29177210903e-11},
+                                                                   {"micro", 1e-6},
+                                                                   {"nano", 1e-9}}};
+
+template <class Table>
+std::optional<double> look_up(const Table& table, const std::string& name) {
+  for (const auto& [known, metres] : table)
+    if (name == known) return metres;
+  return std::nullopt;
+}
+
+}  // namespace
+
+double length_unit(const std::string& name, const std::string& where) {
+  if (const auto metres = look_up(lengths, name)) return *metres;
+  throw InputError(fmt::format("{}: length unit is {}; valid are: m, cm, mm, um, nm", where, quoted(name)));
+}
+
+std::optional<double> length_unit_of_column(const std::string& name) {
+  for (const char* micrometre :
+       {"\xC2\xB5m", "\xCE\xBCm", "\xB5m", "micron", "microns", "micrometer", "micrometre"})
+    if (name == micrometre) return 1e-6;
+  if (name == "meter" || name == "metre" || name == "meters" || name == "metres") return 1.0;
+  return look_up(lengths, name);
+}
+
+std::string length_unit_name(double metres) {
+  for (const auto& [name, size] : lengths)
+    if (size == metres) return name;
+  return fmt::format("{} m", metres);
+}
+
+std::optional<double> unit_style_length(const std::string& style) {
+  return look_up(styles, style);
+}
+
+const std::vector<std::string>& unit_styles() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> out;
+    for (const auto& [name, metres] : styles) out.emplace_back(name);
+    return out;
+  }();
+  return names;
+}
+
+}  // namespace superstep

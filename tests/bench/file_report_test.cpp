@@ -1,0 +1,116 @@
+/// What `superstep info FILE` and `superstep init` say and write, as a user meets them.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "case/scene.hpp"
+#include "temporary_case.hpp"
+
+namespace superstep {
+namespace {
+
+using test::CaseFolder;
+
+class FileReport : public testing::Test {
+ protected:
+  int run(const std::string& arguments) {
+    const std::string command = fmt::format("cd '{}' && '{}' {} >stdout.txt 2>stderr.txt", folder_.file("."),
+                                            SUPERSTEP_PROGRAM, arguments);
+    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is what users have
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string out() const { return folder_.read("stdout.txt"); }
+  std::string err() const { return folder_.read("stderr.txt"); }
+  void expect_out(const std::string& part) {
+    EXPECT_NE(out().find(part), std::string::npos) << part << " in\n" << out();
+  }
+  /// 4 x 4 x 5 spheres on a lattice that overlap by 5 %, in a box that is periodic along x and y, or along
+  /// all axes.
+  void write_dump(const char* flags) {
+    std::string text = fmt::format(
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n80\nITEM: BOX BOUNDS {}\n0 7.6e-3\n0 7.6e-3\n0 9.5e-3\n"
+        "ITEM: ATOMS id type x y z radius f_T\n",
+        flags);
+    for (int k = 0; k < 80; ++k)
+      text += fmt::format("{} 1 {} {} {} 1e-3 {}\n", k + 1, 1e-3 + 1.9e-3 * (k % 4),
+                          1e-3 + 1.9e-3 * (k / 4 % 4), 1e-3 + 1.9e-3 * (k / 16), 300 + k);
+    folder_.write("p.dump", text);
+  }
+  CaseFolder folder_;
+};
+
+TEST_F(FileReport, SaysWhatAPackingIsAndHowItConducts) {
+  write_dump("pp pp pp");
+  ASSERT_EQ(run("info p.dump"), 0) << err();
+  expect_out("LAMMPS/LIGGGHTS dump");
+  expect_out("periodic along");
+  expect_out("f_T");
+  ASSERT_EQ(run("info p.dump --conductivity 85 --density 5910 --axis z --json"), 0) << err();
+  const auto json = nlohmann::json::parse(out());
+  EXPECT_EQ(json["particles"], 80);
+  EXPECT_EQ(json["conduction"]["coordination"], 6.0) << "a cubic lattice, across its sides too";
+  EXPECT_EQ(json["conduction"]["components"], 1);
+  // A lattice conducts as one contact over its spacing: K / a, the same along every axis.
+  const double along_z = json["conduction"]["effective_conductivity_periodic"];
+  ASSERT_EQ(run("info p.dump --conductivity 85 --density 5910 --axis x --json"), 0) << err();
+  EXPECT_NEAR(
+      nlohmann::json::parse(out())["conduction"]["effective_conductivity_periodic"].get<double>() / along_z,
+      1, 1e-9);
+  // Cut open, between the centres of the layers at both ends: the same conductance, over the same
+  // cross-section.
+  EXPECT_NEAR(json["conduction"]["effective_conductivity"].get<double>() / along_z, 1, 1e-9);
+  EXPECT_NE(json["conduction"]["recommended"].get<std::string>().find("because it costs"), std::string::npos);
+}
+
+TEST_F(FileReport, InitWritesACaseThatRuns) {
+  write_dump("pp pp ff");
+  ASSERT_EQ(run("init p.dump --conductivity 85 --density 5910 --specific-heat 640 -o sub.toml"), 0) << err();
+  const std::string text = folder_.read("sub.toml");
+  EXPECT_NE(text.find("conductivity = 85.0"), std::string::npos) << text;
+  ASSERT_EQ(run("run sub.toml --out result"), 0) << err();
+  EXPECT_TRUE(folder_.has("result/final.csv"));
+  ASSERT_EQ(run("info result/final.csv"), 0) << err();
+  expect_out("temperature");
+  expect_out("xy");
+  EXPECT_EQ(run("init p.dump -o sub.toml"), 2) << "what is there is kept";
+  // Chained: the end of one run is the start of the next, with the same contacts.
+  std::string next = text;
+  next.replace(next.find("\"p.dump\""), 8, "\"result/final.csv\"");
+  next.replace(next.find("initial = 293.15"), 16, "initial = { column = \"temperature\" }");
+  const Scene first = load_scene(folder_.file("sub.toml")),
+              second = load_scene(folder_.write("next.toml", next));
+  EXPECT_EQ(first.packed->contacts.size(), second.packed->contacts.size());
+  EXPECT_EQ(run("run next.toml --out result2"), 0) << err();
+}
+
+TEST_F(FileReport, NetworksAndOtherFiles) {
+  folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n2 1 2\n3 2 3\n");
+  ASSERT_EQ(run("info K.mtx"), 0) << err();
+  expect_out("Matrix Market");
+  folder_.write("e.csv", "i,j,conductance\n1,2,3\n2,3,4\n");
+  ASSERT_EQ(run("info e.csv"), 0) << err();
+  expect_out("edge list");
+  folder_.write("prose.txt", "these are not spheres\n");
+  EXPECT_EQ(run("info prose.txt"), 3);
+  EXPECT_EQ(run("info nothing.dump"), 3);
+  EXPECT_EQ(run("info K.mtx --conductivity -1"), 2);
+}
+
+TEST_F(FileReport, TheSystemOfACaseReadsBack) {
+  write_rod(folder_, test::Rod{});
+  ASSERT_EQ(run("info rod.toml --matrix system"), 0) << err();
+  const Scene rod = load_scene(folder_.file("rod.toml")),
+              again = load_scene(folder_.file("system/case.toml"));
+  EXPECT_EQ(again.rhs->size(), rod.rhs->size());
+  std::vector<double> f(rod.rhs->size()), g(f.size());
+  (*rod.rhs)(0, rod.initial, f);
+  (*again.rhs)(0, again.initial, g);
+  EXPECT_EQ(f, g) << "the same network in the same order";
+}
+
+}  // namespace
+}  // namespace superstep

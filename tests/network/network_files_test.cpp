@@ -1,0 +1,114 @@
+/// Networks as matrices, edge lists and pore networks.
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "network/files/matrix_market.hpp"
+#include "network/files/read_network.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+class NetworkFiles : public testing::Test {
+ protected:
+  NetworkInput matrix(const std::string& content, MatrixKind kind = MatrixKind::automatic,
+                      double ambient = 0) {
+    return read_matrix_network(folder_.write("K.mtx", content), kind, ambient);
+  }
+  std::string refusal(const std::string& content, MatrixKind kind = MatrixKind::automatic) {
+    return test::message_of<InputError>([&] { (void)matrix(content, kind); });
+  }
+  void expect_refused(const std::string& content, const std::string& part,
+                      MatrixKind kind = MatrixKind::automatic) {
+    const auto message = refusal(content, kind);
+    EXPECT_NE(message.find(part), std::string::npos) << "wanted: " << part << "\n   got: " << message;
+  }
+  static void expect_chain(const Graph& graph) {
+    ASSERT_EQ(graph.nodes(), 3u);
+    EXPECT_EQ(graph.i, (std::vector<std::int32_t>{0, 1}));
+    EXPECT_EQ(graph.j, (std::vector<std::int32_t>{1, 2}));
+    EXPECT_EQ(graph.conductance, (std::vector<double>{2, 3}));
+  }
+  test::TemporaryFolder folder_;
+  const std::string symmetric_ = "%%MatrixMarket matrix coordinate real symmetric\n";
+  const std::string general_ = "%%MatrixMarket matrix coordinate real general\n";
+};
+
+TEST_F(NetworkFiles, LaplaciansAndTablesOfConductancesAreToldApart) {
+  expect_chain(matrix(symmetric_ + "% a comment\n3 3 5\n1 1 2\n2 1 -2\n2 2 5\n3 2 -3\n3 3 3\n").graph);
+  expect_chain(matrix(symmetric_ + "3 3 2\n2 1 2\n3 2 3\n").graph);
+  expect_chain(matrix(general_ + "3 3 4\n1 2 2\n2 1 2\n2 3 3\n3 2 3\n").graph);
+  expect_chain(
+      matrix("%%MatrixMarket matrix array integer general\n3 3\n2\n-2\n0\n-2\n5\n-3\n0\n-3\n3\n").graph);
+  EXPECT_EQ(matrix(symmetric_ + "3 3 2\n2 1 2\n3 2 3\n").graph.id, (std::vector<std::int64_t>{1, 2, 3}));
+}
+
+TEST_F(NetworkFiles, WhatARowSumsToLeadsToSurroundings) {
+  const auto input = matrix(symmetric_ + "2 2 3\n1 1 2.5\n2 1 -2\n2 2 2\n", MatrixKind::automatic, 300);
+  ASSERT_EQ(input.graph.convection.size(), 1u);
+  EXPECT_EQ(input.graph.convection[0].node, 0);
+  EXPECT_EQ(input.graph.convection[0].coefficient, 0.5);
+  EXPECT_EQ(input.graph.convection[0].ambient, 300);
+  EXPECT_EQ(input.notes.size(), 2u);
+}
+
+TEST_F(NetworkFiles, BadMatricesAreRefusedByEntry) {
+  expect_refused(general_ + "3 3 3\n1 2 2\n2 1 2\n2 3 3\n", "entry (2, 3) is 3; the entry across");
+  expect_refused(general_ + "2 2 2\n1 2 2\n2 1 2.1\n", "symmetric");
+  expect_refused(symmetric_ + "2 2 3\n1 1 1\n2 1 -2\n2 2 2\n", "row 1 of the Laplacian sums to -1");
+  expect_refused(symmetric_ + "3 3 3\n2 1 -2\n3 2 3\n1 1 2\n", "off the diagonal a Laplacian holds -K");
+  expect_refused(symmetric_ + "2 2 1\n2 1 -2\n", "conductance must be >= 0", MatrixKind::conductance);
+  expect_refused(symmetric_ + "2 2 2\n2 1 -2\n", "ends after 1 entries");
+  expect_refused(symmetric_ + "2 2 1\n2 1 -2\n2 2 1\n", "K.mtx:4: has more rows");
+  expect_refused(symmetric_ + "2 2 1\n3 1 -2\n", "K.mtx:3: position '3'");
+  expect_refused(symmetric_ + "2 2 1\n2 1 x\n", "entry is 'x'");
+  expect_refused("%%MatrixMarket matrix coordinate complex general\n1 1 0\n", "'complex'");
+  expect_refused("%%MatrixMarket matrix coordinate real hermitian\n1 1 0\n", "'hermitian'");
+  expect_refused(general_ + "2 3 0\n", "2 by 3");
+  expect_refused(general_ + "-2 2 0\n", "counts");
+}
+
+TEST_F(NetworkFiles, WrittenMatricesReadBack) {
+  const std::vector<MatrixMarket::Entry> lower = {{0, 0, 2.25, 0}, {1, 0, -2.25, 0}, {1, 1, 2.25, 0}};
+  const auto again = matrix(matrix_market_text(2, lower, "a comment")).graph;
+  EXPECT_EQ(again.conductance, std::vector<double>{2.25});
+  const std::vector<double> vector = {1.5, -2, 0};
+  const auto read = read_matrix_market(folder_.write("v.mtx", matrix_market_text(vector, "of it")));
+  ASSERT_EQ(read.entries.size(), 3u);
+  EXPECT_EQ(read.entries[1].value, -2);
+}
+
+TEST_F(NetworkFiles, EdgeListsOfAnyTableAndParallelEdges) {
+  for (const char* text : {"7 9 2\n9 12 3\n", "i j conductance\n7 9 2\n9 12 3\n",
+                           "I;J;Conductance\n7;9;2\n9;12;3\n", "# a list\n7\t9\t2\n12\t9\t3\n"}) {
+    const auto input = read_edge_list(folder_.write("e.txt", text));
+    expect_chain(input.graph);
+    EXPECT_EQ(input.graph.id, (std::vector<std::int64_t>{7, 9, 12}));
+    EXPECT_TRUE(input.notes.empty());
+  }
+  const auto joined = read_edge_list(folder_.write("e.txt", "1 2 0.5\n3 2 3\n2 1 1.5\n"));
+  expect_chain(joined.graph);
+  EXPECT_EQ(joined.notes.size(), 1u) << "summing is said";
+}
+
+TEST_F(NetworkFiles, PoreNetworksJoinPoresByThroats) {
+  const std::string csv =
+      "pore.coords[0],pore.coords[1],pore.coords[2],pore.left,pore.volume,throat.conns[0],throat.conns[1],"
+      "throat.diffusive_conductance\n"
+      "0.0,0,0,True,1e-9,0.0,1.0,2\n1.0,0,0,False,2e-9,1,2,3\n2.0,0,0,False,3e-9,,,\n";
+  const auto pores =
+      read_openpnm(folder_.write("net.csv", csv), "throat.diffusive_conductance", "pore.volume");
+  expect_chain(pores.input.graph);
+  EXPECT_EQ(pores.input.graph.capacity[2], 3e-9);
+  ASSERT_EQ(pores.labels.size(), 1u);
+  EXPECT_EQ(pores.labels[0].first, "pore.left");
+  EXPECT_EQ(pores.labels[0].second, (std::vector<char>{1, 0, 0}));
+  EXPECT_NE(test::message_of<InputError>([&] {
+              (void)read_openpnm(folder_.file("net.csv"), "throat.k", "");
+            }).find("'throat.k'"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace superstep

@@ -1,0 +1,141 @@
+/// Tables of particles as spreadsheets, NumPy, pandas and ParaView write them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "packing/read.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+using Ids = std::vector<std::int64_t>;
+using Names = std::vector<std::string>;
+
+Packing read_as(const std::string& name, const std::string& content, const PackingOptions& options = {}) {
+  const test::TemporaryFolder folder;
+  return read_packing(folder.write(name, content), options);
+}
+
+std::string refusal(const std::string& content, const PackingOptions& options = {},
+                    const std::string& name = "p.txt") {
+  return test::message_of<InputError>([&] { (void)read_as(name, content, options); });
+}
+
+void expect_says(const std::string& message, const std::vector<std::string>& parts) {
+  for (const auto& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+bool notes(const Packing& packing, const std::string& part) {
+  for (const auto& note : packing.notes)
+    if (note.find(part) != std::string::npos) return true;
+  return false;
+}
+
+/// The column of four spheres that most files here hold: z = 0.01, 0.03, 0.05, 0.07, radius 0.0102.
+void expect_column(const Packing& packing, const Ids& ids = {1, 2, 3, 4}) {
+  ASSERT_EQ(packing.size(), 4u);
+  EXPECT_EQ(packing.id, ids);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(packing.centre[k].x, 0.05, 1e-12);
+    EXPECT_NEAR(packing.centre[k].z, 0.01 + 0.02 * static_cast<double>(k), 1e-12);
+    EXPECT_NEAR(packing.radius[k], 0.0102, 1e-12);
+  }
+}
+
+/// Rows "K HEAD z TAIL" of the column.
+std::string column_rows(const std::string& before, const std::string& after, double scale = 1,
+                        bool ids = true, const std::string& separator = " ") {
+  std::string out;
+  for (int k = 1; k <= 4; ++k) {
+    if (ids) out += std::to_string(k) + separator;
+    out += before + separator + std::to_string(scale * (0.02 * k - 0.01));
+    if (!after.empty()) out += separator + after;
+    out += "\n";
+  }
+  return out;
+}
+
+TEST(Tables, AsSpreadsheetsNumpyAndParaViewWriteThem) {
+  const std::string plain = column_rows("0.05,0.05", "0.0102", 1, true, ",");
+  expect_column(read_as("a.csv", "\"id\",\"x\",\"y\",\"z\",\"radius\"\n" + plain));
+  expect_column(read_as("a.csv", "ID,X,Y,Z,R\n" + plain));
+  expect_column(read_as("a.csv", "# id,x,y,z,radius\n" + plain));
+  expect_column(read_as("a.csv", plain));
+  expect_column(read_as("a.csv", "id;x;y;z;d\n" + column_rows("0.05;0.05", "0.0204", 1, true, ";")));
+  expect_column(
+      read_as("a.csv", "sep=;\nid;x;y;z;diameter\n" + column_rows("0.05;0.05", "0.0204", 1, true, ";")));
+  expect_column(
+      read_as("a.tsv", "id\tx\ty\tz\tradius\n" + column_rows("0.05\t0.05", "0.0102", 1, true, "\t")));
+  expect_column(read_as("a.csv", "particle id,pos_x,pos_y,pos_z,radius\n" + plain));
+  expect_column(read_as(
+      "a.csv", ",id,x,y,z,radius\n0," + plain.substr(0, plain.find('\n') + 1) +
+                   "1,2,0.05,0.05,0.03,0.0102\n2,3,0.05,0.05,0.05,0.0102\n3,4,0.05,0.05,0.07,0.0102\n"));
+  std::string paraview = "\"radius\",\"Points:0\",\"Points:1\",\"Points:2\",\"Velocity:0\"\n";
+  for (const char* z : {"0.01", "0.03", "0.05", "0.07"})
+    paraview += std::string("0.0102,0.05,0.05,") + z + ",1\n";
+  expect_column(read_as("a.csv", paraview), {0, 1, 2, 3});
+  expect_column(read_as("a.txt", "# made by hand\n" + column_rows("0.05 0.05", "0.0102", 1, false)),
+                {0, 1, 2, 3});
+  expect_column(read_as("a.txt", "x y  z r\n" + column_rows("0.05 \t0.05", "0.0102", 1, false)),
+                {0, 1, 2, 3});
+}
+
+TEST(Tables, FurtherColumnsAreAttributesAndTextIsLeftOut) {
+  const auto packing =
+      read_as("a.csv", "id,x,y,z,r,temperature,colour,gap\n1,0,0,0,1,300.5,red,\n2,3,0,0,1,301.5,blue,nan\n");
+  ASSERT_EQ(packing.attributes.size(), 2u);
+  EXPECT_EQ(packing.attributes[0].value, (std::vector<double>{300.5, 301.5}));
+  EXPECT_TRUE(std::isnan(packing.attributes[1].value[0]));
+  EXPECT_TRUE(notes(packing, "hold text: colour"));
+  EXPECT_EQ(read_as("a.csv", "id,x,y,z,r,matrial\n1,0,0,0,1,1\n").warnings.size(), 1u);
+}
+
+TEST(Tables, UnitsStandBehindNames) {
+  const auto packing = read_as("a.csv", "id,x (mm),y [mm],z_mm,radius [um]\n1,1,2,3,50\n");
+  EXPECT_DOUBLE_EQ(packing.centre[0].z, 3e-3);
+  EXPECT_NEAR(packing.radius[0], 50e-6, 1e-18);
+  expect_says(refusal("x (mm),y,z,radius\n1,2,3,4\n"), {"units for some"});
+  PackingOptions metres;
+  metres.length_unit = 1;
+  expect_says(refusal("x (mm),y (mm),z (mm),radius (mm)\n1,2,3,4\n", metres), {"mm, as the names"});
+}
+
+TEST(Tables, SixteenBitTextAndOldLineEnds) {
+  const std::string text = "id,x,y,z,radius\r\n" + column_rows("0.05,0.05", "0.0102", 1, true, ",");
+  for (const bool little : {true, false})
+    for (const bool marked : {true, false}) {
+      std::string wide;
+      if (marked) wide = little ? "\xFF\xFE" : "\xFE\xFF";
+      for (const char c : text) wide += little ? std::string{c, '\0'} : std::string{'\0', c};
+      expect_column(read_as("a.csv", wide));
+    }
+  std::string old = "id,x,y,z,radius\n" + column_rows("0.05,0.05", "0.0102", 1, true, ",");
+  for (auto& c : old)
+    if (c == '\n') c = '\r';
+  expect_column(read_as("a.csv", old));
+}
+
+TEST(Tables, WhatCannotBeKnownIsAsked) {
+  expect_says(refusal("0.1,0.2,0.3,0.4,7\n0.5,0.2,0.3,0.4,8\n"),
+              {"p.txt:1:", "without a header", "columns = ["});
+  expect_says(refusal("0 0 0\n1 0 0\n"), {"rows of 3 columns"});
+  expect_says(refusal("id;x;y;z;radius\n1;0,05;0,05;0,010;0,0102\n"),
+              {"p.txt:2:", "'x' is '0,05'", "decimal"});
+  expect_says(refusal("0,05\t0,05\t0,010\t0,0102\n"), {"p.txt:1:", "'0,05'", "decimal"});
+  expect_says(refusal("id,x,y,z,radius\n1,0,0,0,\"1\n"), {"p.txt:2:", "quote"});
+  expect_says(refusal("id,x,y,z,r,diameter\n1,0,0,0,1,1\n"), {"radius is 1 and diameter 1"});
+  PackingOptions declared;
+  declared.columns = {"x", "y", "z", "radius", "material"};
+  EXPECT_EQ(read_as("a.csv", "0.1,0.2,0.3,0.4,steel\n5,0.2,0.3,0.4,glass\n", declared).material_names,
+            (Names{"steel", "glass"}));
+  declared.columns.pop_back();
+  expect_says(refusal("0.1,0.2,0.3,0.4,7\n", declared), {"5 columns, and 4 are declared"});
+}
+
+}  // namespace
+}  // namespace superstep
