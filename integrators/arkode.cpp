@@ -20,8 +20,6 @@
 namespace superstep {
 namespace {
 
-constexpr double default_rtol = 1e-6;
-constexpr int default_order = 4;
 constexpr int interpolant = 3;  // derivatives that the package's Hermite interpolant has at every order
 
 /// Part of the tolerance that a step's local error may have: as in cvode.cpp, for the same reason.
@@ -32,10 +30,10 @@ double local_share(double rtol) {
 class ArkodeRungeKutta final : public Propagator {
  public:
   explicit ArkodeRungeKutta(const Options& options)
-      : rtol_(options.number("rtol").value_or(default_rtol)),
-        implicit_(options.word("method", "dirk") == "dirk"),
-        order_(options.integer("order").value_or(default_order)),
-        linsol_(options.word("linsol", "auto")) {
+      : rtol_(options.number("rtol")),
+        implicit_(options.word("method") == "dirk"),
+        order_(options.integer("order")),
+        linsol_(options.word("linsol")) {
     if (!implicit_ && options.has("linsol"))
       throw UsageError("arkode: linsol goes with method=dirk; leave it out, or choose that");
   }

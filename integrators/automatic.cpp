@@ -15,8 +15,6 @@
 namespace superstep {
 namespace {
 
-constexpr double default_rtol = 1e-4;
-
 // Constants fitted to reports/records/work_precision_nial_thermal.csv: 16 538 unknowns, t rho = 5.8e4 with
 // the certified rho.
 
@@ -50,7 +48,7 @@ struct Candidate {
 
 class Automatic final : public Method {
  public:
-  explicit Automatic(const Options& options) : rtol_(options.number("rtol").value_or(default_rtol)) {}
+  explicit Automatic(const Options& options) : rtol_(options.number("rtol")) {}
 
   void prepare(Rhs& rhs, const Task& task) override {
     const std::string spec = choose(rhs, task);

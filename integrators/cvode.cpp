@@ -20,8 +20,6 @@
 namespace superstep {
 namespace {
 
-constexpr double default_rtol = 1e-6;
-
 /// Part of the tolerance that a step's local error may have. Fitted once, to the audit's scenes
 /// (tests/audit).
 double local_share(double rtol) {
@@ -31,11 +29,11 @@ double local_share(double rtol) {
 class CvodeBdf final : public Propagator {
  public:
   explicit CvodeBdf(const Options& options)
-      : rtol_(options.number("rtol").value_or(default_rtol)),
-        atol_(options.number("atol")),
-        local_(options.word("tolerance", "span") == "local"),
-        linsol_(options.word("linsol", options.has("ordering") ? "klu" : "auto")),
-        ordering_(options.word("ordering", "auto")) {
+      : rtol_(options.number("rtol")),
+        atol_(options.given("atol")),
+        local_(options.word("tolerance") == "local"),
+        linsol_(options.has("ordering") && !options.has("linsol") ? "klu" : options.word("linsol")),
+        ordering_(options.word("ordering")) {
     if (options.has("ordering") && linsol_ != "klu")
       throw UsageError("cvode: ordering goes with linsol=klu; leave it out, or choose that");
     if (atol_ && !local_)

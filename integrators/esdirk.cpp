@@ -34,9 +34,9 @@ constexpr std::array<double, stages> embedded = {4586570599.0 / 29645900160, 0,
 class Esdirk final : public OneStepMethod {
  public:
   explicit Esdirk(const Options& options)
-      : rtol_(options.number("rtol").value_or(1e-4)),
-        fixed_step_(options.number("step").value_or(0.0)),
-        solver_(options.word("solver", "auto")) {
+      : rtol_(options.number("rtol")),
+        fixed_step_(options.given("step").value_or(0)),
+        solver_(options.word("solver")) {
     static const std::array<std::string, 2> one_of = {"rtol", "step"};
     options.at_most_one_of(one_of);
   }

@@ -3,6 +3,8 @@
 /// & Lubich (1997), doi:10.1137/S0036142995280572. Shift-and-invert: van den Eshof & Hochbruck (2006),
 /// doi:10.1137/040605461.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,7 +40,7 @@ std::vector<OptionKey> exponential_keys() {
        .min = 1,
        .max = 1e7,
        .unit = "MiB",
-       .fallback = "1024",
+       .fallback = fmt::format("{}", default_memory / mebibyte),
        .meaning = "what the basis of lanczos may take; beyond it a new one is begun on the way"},
   };
 }
@@ -47,9 +49,9 @@ std::vector<OptionKey> exponential_keys() {
 class Exponential final : public Method {
  public:
   explicit Exponential(const Options& options)
-      : rtol_(options.number("rtol").value_or(1e-8)),
-        memory_(options.number("memory").value_or(default_memory / mebibyte) * mebibyte),
-        basis_(options.word("basis", "auto")) {}
+      : rtol_(options.number("rtol")),
+        memory_(options.number("memory") * mebibyte),
+        basis_(options.word("basis")) {}
 
   void prepare(Rhs& rhs, const Task& task) override {
     if (!exactly_solvable(rhs))

@@ -24,7 +24,7 @@ constexpr std::size_t fewest_vectors = 40, most_vectors = 400;
 class ExponentialRosenbrock final : public OneStepMethod {
  public:
   explicit ExponentialRosenbrock(const Options& options)
-      : rtol_(options.number("rtol").value_or(1e-4)), fixed_step_(options.number("step").value_or(0.0)) {
+      : rtol_(options.number("rtol")), fixed_step_(options.given("step").value_or(0)) {
     static const std::array<std::string, 2> one_of = {"rtol", "step"};
     options.at_most_one_of(one_of);
   }

@@ -19,8 +19,8 @@ IntegratorEntry rkc_entry() {
           .stability =
               stabilised_theory({{rkc1_family, "rkc:order=1,", 10, false}, {rkc2_family, "rkc:", 10, true}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
-            return std::make_unique<Stabilised>(
-                options.integer("order").value_or(2) == 1 ? rkc1_family() : rkc2_family(), options);
+            return std::make_unique<Stabilised>(options.integer("order") == 1 ? rkc1_family() : rkc2_family(),
+                                                options);
           }};
 }
 

@@ -19,8 +19,8 @@ IntegratorEntry rkl_entry() {
           .stability =
               stabilised_theory({{rkl1_family, "rkl:order=1,", 11, false}, {rkl2_family, "rkl:", 11, false}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
-            return std::make_unique<Stabilised>(
-                options.integer("order").value_or(2) == 1 ? rkl1_family() : rkl2_family(), options);
+            return std::make_unique<Stabilised>(options.integer("order") == 1 ? rkl1_family() : rkl2_family(),
+                                                options);
           }};
 }
 

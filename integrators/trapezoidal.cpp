@@ -61,14 +61,14 @@ std::vector<OptionKey> trapezoidal_keys() {
 std::unique_ptr<Method> make_trapezoidal(const Options& options) {
   static const std::array<std::string, 2> one_of = {"rtol", "step"};
   TrapezoidalSettings rule;
-  rule.phi = options.number("phi").value_or(rule.phi);
-  rule.rtol = options.number("rtol").value_or(rule.rtol);
-  rule.fixed_step = options.number("step").value_or(0.0);
-  rule.solver = options.word("solver", rule.solver);
+  rule.phi = options.number("phi");
+  rule.rtol = options.number("rtol");
+  rule.fixed_step = options.given("step").value_or(0);
+  rule.solver = options.word("solver");
   if (rule.solver == "fixed-point")
     return std::make_unique<TrapezoidalFixedPoint>(
-        rule, FixedPointSettings{options.integer("iterations").value_or(10), options.integer("p").value_or(1),
-                                 options.word("control", "error") == "paper"});
+        rule, FixedPointSettings{options.integer("iterations"), options.integer("p"),
+                                 options.word("control") == "paper"});
   options.at_most_one_of(one_of);
   for (const char* key : {"iterations", "p", "control"})
     if (options.has(key))

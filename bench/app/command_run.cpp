@@ -18,26 +18,26 @@
 #include "bench/output/run_files.hpp"
 #include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
-#include "integrators/spec_settings.hpp"
+#include "integrators/method_spec.hpp"
 
 namespace superstep {
 namespace {
 
-std::vector<std::string> specs_of(const RunCommand& command) {
-  std::vector<std::string> specs = command.integrators;
+std::vector<MethodSpec> specs_of(const RunCommand& command) {
+  std::vector<MethodSpec> specs(command.integrators.begin(), command.integrators.end());
   if (specs.empty()) specs = {"auto"};
   if (command.tolerance)
-    for (auto& spec : specs) spec = with_tolerance(spec, *command.tolerance);
+    for (auto& spec : specs) spec = spec.with_tolerance(*command.tolerance);
   return specs;
 }
 
 // One folder for one SPEC, else one below it for each; equal names get a number.
-std::vector<std::string> folders_of(const std::string& out, const std::vector<std::string>& specs) {
+std::vector<std::string> folders_of(const std::string& out, const std::vector<MethodSpec>& specs) {
   if (specs.size() == 1) return {out};
   std::vector<std::string> folders;
   std::map<std::string, int> seen;
   for (const auto& spec : specs) {
-    const std::string name = folder_name(spec);
+    const std::string name = folder_name(spec.text());
     const int count = ++seen[name];
     folders.push_back(fmt::format("{}/{}{}", out, name, count > 1 ? fmt::format("-{}", count) : ""));
   }
@@ -51,7 +51,7 @@ struct FinishedRun {
   std::vector<double> final_state;
 };
 
-FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::string& spec, Progress& progress,
+FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const MethodSpec& spec, Progress& progress,
                       VtkSeries* vtk, const RunCommand& command) {
   FinishedRun run;
   const bool verified = command.verify;
@@ -62,7 +62,7 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const std::str
     if (verified) run.states.emplace_back(state.begin(), state.end());
     if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
   };
-  progress.begin(spec, scene.t_end);
+  progress.begin(spec.text(), scene.t_end);
   run.result = run_one(scene, spec, request);
   progress.end();
   if (verified && run.result.outcome.ok()) {
@@ -119,7 +119,6 @@ Command from_line(const Arguments& values) {
 int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   if (command.checkpoint || !command.restart.empty())
     throw UsageError("run: --checkpoint and --restart need a case with moving particles ([dynamics])");
-  check_specs(command.integrators);
   if (command.vtk) require_packing(scene, "--vtk");
   const auto specs = specs_of(command);
   const auto folders =
@@ -148,7 +147,7 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
     if (command.common.json)
       print_data(json);
     else if (!quiet || !run.result.outcome.ok())
-      print_data(summary(scene, specs[k], run.result, run.check, folders[k]));
+      print_data(summary(scene, specs[k].text(), run.result, run.check, folders[k]));
     all_ok = all_ok && run.result.outcome.ok();
   }
   if (stop_flag()) return interrupted_exit_code;

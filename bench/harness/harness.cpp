@@ -23,6 +23,7 @@ namespace {
 /// One method on its way through the benchmark.
 struct Contender {
   BenchRow row;
+  MethodSpec method;
   Outcome outcome = {};
   bool verified = false;
   double time_per_sweep = 0;  ///< s
@@ -49,7 +50,7 @@ class CaseBench {
   BenchCase run() {
     BenchCase out = describe();
     for (const auto& spec : contenders(scene_.bench, options_.integrators))
-      contenders_.push_back({.row = begin_row(out, spec, options_.threads)});
+      contenders_.push_back({.row = begin_row(out, spec, options_.threads), .method = spec});
     find_reference(out);
     for (auto& contender : contenders_) verify_one(contender);
     for (auto& contender : contenders_) warm_up(contender);
@@ -157,8 +158,8 @@ void CaseBench::fail(Contender& contender, const Outcome& outcome) const {
 void CaseBench::verify_one(Contender& contender) {
   if (stopped()) return;
   progress_.begin("verifying " + position(contender), scene_.t_end);
-  auto result = verify(scene_, probes_, contender.row.spec, reference_ ? &*reference_ : nullptr,
-                       options_.stop, &progress_, options_.limits);
+  auto result = verify(scene_, probes_, contender.method, reference_ ? &*reference_ : nullptr, options_.stop,
+                       &progress_, options_.limits);
   progress_.end();
   if (result.outcome.status == Status::interrupted) return;
   contender.verified = true;
@@ -188,7 +189,7 @@ void CaseBench::warm_up(Contender& contender) {
     slice.emplace(scene_);
     request.observe = [&](std::size_t k, double t, auto state) { slice->observe(k, t, state); };
   }
-  const RunResult run = run_one(scene_, contender.row.spec, request);
+  const RunResult run = run_one(scene_, contender.method, request);
   progress_.end();
   if (run.outcome.status == Status::interrupted) return;
   if (slice && run.outcome.ok()) observations_.slice = slice->take(contender.row.spec);
@@ -239,7 +240,7 @@ void CaseBench::time_one(Contender& contender) {
   const double length = contender.cpu_stepping.empty() ? 0 : share * contender.cpu_stepping.back();
   const double before = yardstick_.seconds(length);
   const RunResult run =
-      run_one(scene_, contender.row.spec,
+      run_one(scene_, contender.method,
               {.spans = spans(),
                .stop = options_.stop,
                .limits = {.seconds = options_.limits.seconds, .sweeps = options_.limits.sweeps, .say = {}}});

@@ -17,13 +17,13 @@ constexpr std::size_t most_frames = 5;      // besides the initial state
 
 /// Where the reference is how far from its value at the end: what decides which instants are the transient.
 std::size_t transient_of(const ProbeCurve& curve, const ProbeHistory& reference, std::size_t slot,
-                         double t_end) {
+                         double origin, double t_end) {
   const double last = reference.at(t_end, slot);
   double largest = 0;
   for (std::size_t k = 0; k < reference.size() && reference.time(k) <= t_end; ++k)
     largest = std::max(largest, std::abs(reference.value(k, slot) - last));
   std::vector<double> distance;
-  for (const double expected : curve.reference) distance.push_back(std::abs(expected - last));
+  for (const double expected : curve.reference) distance.push_back(std::abs(expected - origin - last));
   return transient_length(distance, largest);
 }
 
@@ -56,10 +56,11 @@ std::vector<ProbeCurve> probe_curves(const Scene& scene, const ProbeSet& probes,
                      .probe = column.name.substr(column.field.size() + 1)};
     for (const std::size_t k : evenly_thinned(inside, most_instants)) {
       curve.time.push_back(run.time(k));
-      curve.value.push_back(run.value(k, slot));
-      if (reference) curve.reference.push_back(reference->history.at(run.time(k), slot));
+      curve.value.push_back(run.value(k, slot) + column.origin);
+      if (reference) curve.reference.push_back(reference->history.at(run.time(k), slot) + column.origin);
     }
-    if (reference) curve.transient = transient_of(curve, reference->history, slot, scene.t_end);
+    if (reference)
+      curve.transient = transient_of(curve, reference->history, slot, column.origin, scene.t_end);
     curves.push_back(std::move(curve));
   }
   return curves;

@@ -23,7 +23,7 @@ namespace {
 
 // Raised when the same scene and SPEC give other numbers than before, or the meaning of the cached numbers
 // changes.
-constexpr int reference_code_version = 6;
+constexpr int reference_code_version = 7;
 
 /// Empty for a scene without a hash: nothing names what its answer depends on. Networks are added
 /// for the sake of generated packings, which differ between compilers.
@@ -69,15 +69,15 @@ class ReferenceSearch {
   ReferenceSearch(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& wanted,
                   Progress& progress)
       : scene_(scene), probes_(probes), wanted_(wanted), progress_(progress), pair_(reference_pair(scene)) {
-    if (wanted.spec.empty() || wanted.spec == pair_.truth) return;
-    pair_ = {wanted.spec, check_of(scene, wanted.spec),
-             parse_spec(wanted.spec).name == "exponential" && scene.rhs->traits().linear};
+    if (wanted.spec.empty() || wanted.spec == pair_.truth.text()) return;
+    const MethodSpec truth(wanted.spec);
+    pair_ = {truth, check_of(scene, truth), truth.name() == "exponential" && scene.rhs->traits().linear};
   }
 
   ReferenceResult run() {
     ReferenceResult result;
     find_spans_of_scene();
-    reference_.spec = pair_.truth;
+    reference_.spec = pair_.truth.text();
     Run truth = integrate(pair_.truth);
     result.outcome = truth.outcome;
     if (!truth.outcome.ok()) return result;
@@ -87,12 +87,12 @@ class ReferenceSearch {
       result.outcome = check.outcome;
       return result;
     }
-    reference_.check = pair_.check;
+    reference_.check = pair_.check.text();
     if (check.outcome.ok()) {
       set_error_bar(truth, check, result.warnings);
     } else {
       result.warnings.push_back(
-          fmt::format("the reference is not checked: {}: {}", pair_.check, check.outcome.reason));
+          fmt::format("the reference is not checked: {}: {}", pair_.check.text(), check.outcome.reason));
       reference_.error_bar = truth.bound;
       for (double& bar : reference_.error_bar)
         if (!pair_.certified) bar = std::numeric_limits<double>::infinity();
@@ -127,7 +127,7 @@ class ReferenceSearch {
     if (found.pilot) reference_.cpu_pilot = process_cpu_seconds() - begin;
   }
 
-  Run integrate(const std::string& spec) {
+  Run integrate(const MethodSpec& spec) {
     Run run;
     RunRequest request{.track_inflow = true,
                        .spans = reference_.spans,
@@ -138,7 +138,7 @@ class ReferenceSearch {
     request.observe = [&](std::size_t, double, std::span<const double> state) {
       run.states.emplace_back(state.begin(), state.end());
     };
-    progress_.begin("reference " + spec, scene_.t_end);
+    progress_.begin("reference " + spec.text(), scene_.t_end);
     RunResult result = run_one(scene_, spec, request);
     progress_.end();
     reference_.cpu_seconds += result.cpu_prepare + result.cpu_stepping;
@@ -167,7 +167,7 @@ class ReferenceSearch {
       for (std::size_t k = 0; k < truth.states.size(); ++k)
         distance = std::max(distance, deviation(fields[f], check.states[k], truth.states[k]).rms);
       // A method's own tolerance, or where that is more, a hundred roundings of the values.
-      const double tolerance = std::max(make_method(pair_.check)->rtol() * reference_.spans[f],
+      const double tolerance = std::max(pair_.check.rtol() * reference_.spans[f],
                                         100 * std::numeric_limits<double>::epsilon() * largest_value(f));
       constexpr double proportional = 10;  // times its tolerance, which is what any method may miss by
       if (pair_.certified && distance <= proportional * tolerance + truth.bound[f]) {
@@ -178,9 +178,9 @@ class ReferenceSearch {
         warnings.push_back(
             fmt::format("{} and {} differ by {:.2g} {} in the {}, more than they should: that is "
                         "how well the reference is known",
-                        pair_.truth, pair_.check, distance, fields[f].unit, fields[f].name));
+                        pair_.truth.text(), pair_.check.text(), distance, fields[f].unit, fields[f].name));
       // Nor is a solution better known than twice the tolerance that it was computed with.
-      const double own = pair_.certified ? 0 : 2 * make_method(pair_.truth)->rtol() * reference_.spans[f];
+      const double own = pair_.certified ? 0 : 2 * pair_.truth.rtol() * reference_.spans[f];
       reference_.error_bar.push_back(std::max(reserve * distance, own) + truth.bound[f]);
     }
   }
@@ -199,7 +199,7 @@ class ReferenceSearch {
 
 ReferenceResult obtain_reference(const Scene& scene, const ProbeSet& probes, const ReferenceRequest& request,
                                  Progress& progress) {
-  const std::string spec = request.spec.empty() ? reference_pair(scene).truth : request.spec;
+  const std::string spec = request.spec.empty() ? reference_pair(scene).truth.text() : request.spec;
   const std::string key = request.use_cache ? cache_key(scene, spec) : std::string{};
   const std::string file = key.empty() ? std::string{} : cache_file(key);
   ReferenceResult result;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/text/options.hpp"
 #include "rhs/one_way.hpp"
 
 namespace superstep {
@@ -44,9 +43,9 @@ ReferencePair reference_pair(const Scene& scene) {
   return {tight_cvode(scene), tight_runge_kutta(scene)};
 }
 
-std::string check_of(const Scene& scene, const std::string& truth) {
+MethodSpec check_of(const Scene& scene, const MethodSpec& truth) {
   const ReferencePair usual = reference_pair(scene);
-  return parse_spec(truth).name == parse_spec(usual.check).name ? usual.truth : usual.check;
+  return truth.name() == usual.check.name() ? usual.truth : usual.check;
 }
 
 }  // namespace superstep

@@ -1,15 +1,14 @@
 #pragma once
 /// Which two families of methods find the reference of a scene.
 
-#include <string>
-
 #include "case/scene.hpp"
+#include "integrators/method_spec.hpp"
 
 namespace superstep {
 
 struct ReferencePair {
-  std::string truth;       ///< SPEC whose states are the reference
-  std::string check;       ///< SPEC of another family, whose distance says how far the truth can be trusted
+  MethodSpec truth;        ///< whose states are the reference
+  MethodSpec check;        ///< of another family, whose distance says how far the truth can be trusted
   bool certified = false;  ///< the truth comes with a bound of its own error, which the check must respect
 };
 
@@ -19,6 +18,6 @@ struct ReferencePair {
 [[nodiscard]] ReferencePair reference_pair(const Scene& scene);
 
 /// The check that goes with a reference that the user asked for.
-[[nodiscard]] std::string check_of(const Scene& scene, const std::string& truth);
+[[nodiscard]] MethodSpec check_of(const Scene& scene, const MethodSpec& truth);
 
 }  // namespace superstep

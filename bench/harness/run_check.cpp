@@ -6,9 +6,6 @@
 
 #include "bench/harness/reference_pair.hpp"
 #include "bench/measure/metrics.hpp"
-#include "core/text/options.hpp"
-#include "integrators/registry.hpp"
-#include "integrators/spec_settings.hpp"
 
 namespace superstep {
 namespace {
@@ -16,23 +13,24 @@ namespace {
 constexpr double usual_tolerance = 1e-4;  // of runs that have none
 
 /// Another family than the one that ran: `auto` tells in its choice which one that was.
-std::string other_family(const Scene& scene, const std::string& spec, const RunResult& run) {
-  const std::string ran = parse_spec(spec).name == "auto" ? run.choice : spec;
+MethodSpec other_family(const Scene& scene, const MethodSpec& spec, const RunResult& run) {
+  const std::string& ran = spec.name() == "auto" ? run.choice : spec.text();
   const ReferencePair pair = reference_pair(scene);
-  const std::string truth = parse_spec(pair.truth).name;
-  return ran.starts_with(truth) ? pair.check : pair.truth;
+  return ran.starts_with(pair.truth.name()) ? pair.check : pair.truth;
 }
 
 }  // namespace
 
-RunCheck check_run(const Scene& scene, const std::string& spec, const RunResult& run,
+RunCheck check_run(const Scene& scene, const MethodSpec& spec, const RunResult& run,
                    std::span<const std::vector<double>> states, const std::atomic<bool>& stop,
                    Progress& progress, const RunLimits& limits) {
   constexpr double tighter = 0.1, tightest = 1e-12;
   RunCheck check;
-  const double rtol = make_method(spec)->rtol();
-  check.spec = with_tolerance(other_family(scene, spec, run),
-                              std::max(tightest, tighter * (rtol > 0 ? rtol : usual_tolerance)));
+  const double rtol = spec.rtol();
+  const MethodSpec other_method =
+      other_family(scene, spec, run)
+          .with_tolerance(std::max(tightest, tighter * (rtol > 0 ? rtol : usual_tolerance)));
+  check.spec = other_method.text();
   const auto fields = scene.rhs->fields();
   check.distance.assign(fields.size(), 0.0);
   RunRequest request{.spans = run.spans, .stop = &stop, .progress = &progress, .limits = limits};
@@ -41,7 +39,7 @@ RunCheck check_run(const Scene& scene, const std::string& spec, const RunResult&
       check.distance[f] = std::max(check.distance[f], deviation(fields[f], states[k], state).rms);
   };
   progress.begin("verifying by " + check.spec, scene.t_end);
-  const RunResult other = run_one(scene, check.spec, request);
+  const RunResult other = run_one(scene, other_method, request);
   progress.end();
   check.outcome = other.outcome;
   check.spans = other.spans;

@@ -23,7 +23,7 @@ struct RunCheck {
 
 /// Integrates once more and compares.
 ///   states  [output times] of the run that is checked
-[[nodiscard]] RunCheck check_run(const Scene& scene, const std::string& spec, const RunResult& run,
+[[nodiscard]] RunCheck check_run(const Scene& scene, const MethodSpec& spec, const RunResult& run,
                                  std::span<const std::vector<double>> states, const std::atomic<bool>& stop,
                                  Progress& progress, const RunLimits& limits = {});
 

@@ -30,8 +30,7 @@ class OutputErrors {
     const auto fields = scene_.rhs->fields();
     for (std::size_t f = 0; f < fields.size(); ++f) {
       const FieldScene& described = scene_field(scene_, fields[f].name);
-      const FieldRange range =
-          attainable_range({described.low, described.high}, scene_.rhs->facts().fields[f], t);
+      const FieldRange range = attainable_range(described.range_of_state(), scene_.rhs->facts().fields[f], t);
       keep_larger(errors_[f].overshoot, overshoot(fields[f], state, range.low, range.high));
       if (!reference_) continue;
       const Deviation difference = deviation(fields[f], state, reference_->states[output]);
@@ -130,7 +129,7 @@ void measure_probe_errors(const ProbeHistory& run, const ProbeHistory& reference
   }
 }
 
-Verification verify(const Scene& scene, const ProbeSet& probes, const std::string& spec,
+Verification verify(const Scene& scene, const ProbeSet& probes, const MethodSpec& spec,
                     const Reference* reference, const std::atomic<bool>* stop, Progress* progress,
                     const RunLimits& limits) {
   Verification result;
@@ -151,7 +150,7 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const std::strin
     return result;
   }
   const auto fields = scene.rhs->fields();
-  const double rtol = make_method(spec)->rtol();
+  const double rtol = spec.rtol();
   for (std::size_t f = 0; f < fields.size(); ++f) {
     FieldErrors& errors = result.errors[f];
     if (!reference) continue;

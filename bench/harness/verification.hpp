@@ -11,6 +11,7 @@
 #include "bench/measure/run_limits.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
+#include "integrators/method_spec.hpp"
 #include "results/results.hpp"
 
 namespace superstep {
@@ -24,7 +25,7 @@ struct Verification {
 
 /// Runs `spec` once, untimed, recording the probes. Without a reference only overshoot is measured. A run
 /// whose error is beyond what anybody can call a result is `inaccurate`.
-[[nodiscard]] Verification verify(const Scene& scene, const ProbeSet& probes, const std::string& spec,
+[[nodiscard]] Verification verify(const Scene& scene, const ProbeSet& probes, const MethodSpec& spec,
                                   const Reference* reference, const std::atomic<bool>* stop,
                                   Progress* progress, const RunLimits& limits = {});
 

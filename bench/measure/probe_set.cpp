@@ -12,12 +12,13 @@ ProbeSet::ProbeSet(const Scene& scene) {
       ProbeColumn column{.name = field.name + "_" + probe.label,
                          .field = field.name,
                          .initial = initial[static_cast<std::size_t>(probe.node)],
+                         .origin = field.origin,
                          .graph = field.steady ? nullptr : &field.graph,
                          .node = static_cast<std::size_t>(probe.node)};
       if (const auto entry = scene.entry_of_node(f, probe.node); entry >= 0) {
         column.slot = static_cast<std::ptrdiff_t>(entries_.size());
         entries_.push_back(static_cast<std::size_t>(entry));
-        initial_.push_back(column.initial);
+        initial_.push_back(scene.initial[static_cast<std::size_t>(entry)]);
       }
       columns_.push_back(std::move(column));
     }

@@ -17,6 +17,7 @@ struct ProbeColumn {
   std::string field;             ///< "temperature"
   std::ptrdiff_t slot = -1;      ///< position in the history; -1 = no entry of the state
   double initial = 0;            ///< value at the start [K or V]
+  double origin = 0;             ///< K or V: what is recorded are differences from it
   const Graph* graph = nullptr;  ///< where a fixed value is found
   std::size_t node = 0;
 

@@ -10,8 +10,6 @@
 #include "bench/measure/counted.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
-#include "core/text/options.hpp"
-#include "integrators/registry.hpp"
 #include "rhs/one_way.hpp"
 
 namespace superstep {
@@ -36,15 +34,15 @@ class Timer {
 constexpr double first_look = 10;  // s after which a forecast is worth something
 
 /// A method that usually is faster than one of small steps.
-std::string faster_method(Rhs& rhs, const std::string& spec) {
+std::string faster_method(Rhs& rhs, const MethodSpec& spec) {
   const std::string best = exactly_solvable(rhs) ? "exponential" : "rkc", other = "cvode";
-  return parse_spec(spec).name == best ? other : best;
+  return spec.name() == best ? other : best;
 }
 
 /// What watches one run: its time, and what is to be said about it.
 class Watch {
  public:
-  Watch(const Scene& scene, const std::string& spec, const RunRequest& request)
+  Watch(const Scene& scene, const MethodSpec& spec, const RunRequest& request)
       : scene_(scene),
         spec_(spec),
         request_(request),
@@ -58,7 +56,7 @@ class Watch {
     if (!request_.limits.say) return;
     dog_.look_after(first_look, [this, faster = faster_method(*scene_.rhs, spec_)](double seconds) {
       const double part = reached_->load(std::memory_order_relaxed) / scene_.t_end;
-      const std::string text = forecast_text(spec_, part, seconds, request_.limits.seconds, faster);
+      const std::string text = forecast_text(spec_.text(), part, seconds, request_.limits.seconds, faster);
       if (!text.empty()) request_.limits.say(text);
     });
   }
@@ -73,7 +71,7 @@ class Watch {
 
  private:
   const Scene& scene_;
-  const std::string& spec_;
+  const MethodSpec& spec_;
   const RunRequest& request_;
   std::atomic<double> own_{0}, *reached_ = &own_;
   Watchdog dog_;  // last: its thread looks at what stands above
@@ -166,8 +164,8 @@ Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& requ
 
 }  // namespace
 
-RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest& request) {
-  const auto method = make_integrator(spec);
+RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& request) {
+  const auto method = std::make_unique<Integrator>(spec.make());
   RunResult result;
   const RhsCounters before = scene.rhs->counters();
   {
@@ -189,10 +187,8 @@ RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest&
 Plan scene_plan(const Scene& scene) {
   Plan plan;
   plan.output_times = scene.output_times;
-  for (const auto& field : scene.rhs->fields()) {
-    const auto& described = scene_field(scene, field.name);
-    plan.ranges.push_back({described.low, described.high});
-  }
+  for (const auto& field : scene.rhs->fields())
+    plan.ranges.push_back(scene_field(scene, field.name).range_of_state());
   plan.settle_tolerance = scene.settle_tolerance;
   return plan;
 }

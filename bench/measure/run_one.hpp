@@ -14,6 +14,7 @@
 #include "bench/measure/run_limits.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
+#include "integrators/method_spec.hpp"
 #include "integrators/spans.hpp"
 
 namespace superstep {
@@ -49,10 +50,9 @@ struct RunResult {
   return run.statistics.error_bound > 0 ? std::optional(run.statistics.error_bound) : std::nullopt;
 }
 
-/// Builds the method anew and runs it. What the method cannot do or fails to do is an outcome; only a wrong
-/// SPEC throws. Stepping begins with `start`: estimates of the spectrum and the first step size are part of
-/// it.
-[[nodiscard]] RunResult run_one(const Scene& scene, const std::string& spec, const RunRequest& request);
+/// Builds the method anew and runs it. What the method cannot do or fails to do is an outcome. Stepping
+/// begins with `start`: estimates of the spectrum and the first step size are part of it.
+[[nodiscard]] RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& request);
 
 /// What a scene says about any run over it: output times, ranges of values, settling. Spans are not among it.
 [[nodiscard]] Plan scene_plan(const Scene& scene);

@@ -34,7 +34,8 @@ std::vector<std::size_t> field_order(const Scene& scene) {
 }
 
 double value_at(const ProbeColumn& column, const ProbeHistory& history, double t) {
-  return column.slot < 0 ? column.known_at(t) : history.at(t, static_cast<std::size_t>(column.slot));
+  if (column.slot < 0) return column.known_at(t);
+  return history.at(t, static_cast<std::size_t>(column.slot)) + column.origin;
 }
 
 void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& history, double t) {
@@ -93,15 +94,14 @@ std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, doub
   return fmt::to_string(out);
 }
 
-RunRecord record_run(const Scene& scene, const std::string& spec, const RunResult& run) {
-  const Spec parsed = parse_spec(spec);
+RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult& run) {
   return {.version = program_version(),
           .revision = program_revision(),
           .case_name = scene.name,
           .title = scene.title,
           .source = scene.source,
-          .integrator = parsed.name,
-          .params = parsed.parameters(),
+          .integrator = spec.name(),
+          .params = spec.parameters(),
           .choice = run.choice,
           .status = status_name(run.outcome.status),
           .reason = run.outcome.reason,

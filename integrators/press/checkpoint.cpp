@@ -19,7 +19,7 @@ namespace superstep::dynamics {
 namespace {
 
 // The last byte is the version: raise it whenever a stored type changes.
-constexpr std::string_view magic = "superstep checkpoint 2\n";
+constexpr std::string_view magic = "superstep checkpoint 3\n";
 
 class Writer {
  public:
@@ -114,7 +114,7 @@ void visit_content(Stream& stream, Content& content, Visit visit) {
 
 std::string checkpoint_image(const Checkpoint& checkpoint) {
   static_assert(std::has_unique_object_representations_v<std::int64_t>);
-  static_assert(sizeof(Bond) == 16 && sizeof(Vec3) == 24, "no padding may be stored");
+  static_assert(sizeof(Bond) == 24 && sizeof(Vec3) == 24, "no padding may be stored");
   Writer out;
   const auto put = [](Writer& stream, const auto& value) { stream.put(value); };
   visit_content(out, checkpoint, put);

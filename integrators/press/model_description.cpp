@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
+#include "dynamics/bond_registry.hpp"
 
 namespace superstep::dynamics {
 namespace {
@@ -53,8 +54,19 @@ void add_motion(Description& out, const Model& model) {
   out.add("stiffness", model.bond.stiffness);
   out.add("exponent", model.bond.exponent);
   out.add("threshold", model.bond.threshold);
-  out.add("rule", model.bond.rule == BondRule::tension ? "tension" : "overlap");
+  out.add("rule", bond_kind(model.bond.rule).name);
   out.add("rupture", model.bond.rupture);
+  out.add("softening_temperature", model.bond.softening.temperature);
+  out.add("stiffness_floor", model.bond.softening.floor);
+  out.add("unloading", model.bond.unloading);
+  out.add("damping", model.bond.damping);
+  const NeckGrowth& growth = model.bond.growth;
+  out.begin("dynamics.bond.growth");
+  out.add("mechanism", growth.mechanism == NeckGrowth::Mechanism::frenkel ? "frenkel" : "coble");
+  out.add("rate", growth.rate);
+  out.add("activation_energy", growth.activation);
+  out.add("reference_temperature", growth.reference);
+  out.add("sintering_stress", growth.sintering_stress);
 }
 
 void add_fields(Description& out, const Model& model) {

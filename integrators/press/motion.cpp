@@ -110,7 +110,7 @@ void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::i
   stepper_->begin(state_);
   record(phase, h, attempt.iterations, rejections);
   if (const Phase& next = model_.schedule.at(state_.time); &next != &phase) {
-    network_.place(state_.position, next, state_.time);
+    network_.place(state_.position, state_.temperature, next, state_.time);
     network_.settle(state_, next);
     stepper_->begin(state_);
   }

@@ -44,7 +44,8 @@ Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
     attempt.factor = farthest_in_a_step / moved;
     return attempt;
   }
-  network_.place(position_, phase, std::min(state.time + h, phase.end));
+  // Necks grow like the temperatures: with the rate that the step begins with.
+  network_.place(position_, state.temperature, phase, std::min(state.time + h, phase.end), {h, 0});
   if (bridge_) attempt.failure = bridge_->advance(network_, h, temperature_);
   if (!attempt.failure.ok()) return attempt;
   std::swap(state.position, position_);

@@ -116,13 +116,17 @@ void StaggeredStepper::blame(const State& state, Attempt& attempt) const {
   }
 }
 
+void StaggeredStepper::place(const State& state, const Phase& phase, double h) {
+  network_.place(position_, temperature_, phase, std::min(state.time + h, phase.end), {h, settings_.phi});
+}
+
 /// One iteration from the trial state at hand, whose contacts are placed: motion first, then temperatures.
 bool StaggeredStepper::iterate(const State& state, const Phase& phase, double h, int iteration) {
   (void)network_.forces(velocity_, temperature_, force_);
   std::swap(position_, position_before_);
   move(state, h);
   if (!measure_motion(state, iteration)) return false;
-  network_.place(position_, phase, std::min(state.time + h, phase.end));
+  place(state, phase, h);
   if (bridge_) return true;
   std::swap(temperature_, temperature_before_);
   heat(state, h);
@@ -135,7 +139,7 @@ Attempt StaggeredStepper::attempt(State& state, const Phase& phase, double h) {
   predict(state, h);
   std::copy(state.position.begin(), state.position.end(), position_before_.begin());
   if (!measure_motion(state, 0)) return failed(state, 0, shortened());
-  network_.place(position_, phase, std::min(state.time + h, phase.end));
+  place(state, phase, h);
   position_error_.begin();
   for (int k = 1; k <= settings_.iterations; ++k) {
     if (!iterate(state, phase, h, k)) return failed(state, k, shortened());

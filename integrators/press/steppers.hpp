@@ -31,6 +31,7 @@ class StaggeredStepper final : public Stepper {
   void predict(const State& state, double h);
   void move(const State& state, double h);
   void heat(const State& state, double h);
+  void place(const State& state, const Phase& phase, double h);
   [[nodiscard]] bool iterate(const State& state, const Phase& phase, double h, int iteration);
   [[nodiscard]] bool measure_motion(const State& state, int iteration);
   [[nodiscard]] bool measure_heat(const State& state, int iteration);

@@ -56,6 +56,13 @@ void set_range(double t_end, FieldScene& field) {
   }
 }
 
+/// Where a field acts through differences alone, its values are counted from the one nearest to 0: digits
+/// that all values share would be lost in every difference, and 20 and 293.15 would not give the same steps.
+void set_origin(FieldScene& field) {
+  if (!field.graph.radiation.empty()) return;
+  field.origin = field.low > 0 ? field.low : std::min(field.high, 0.0);
+}
+
 /// Values of the nodes that are not rows of the network.
 std::vector<KnownValue> known_values(const FieldScene& field) {
   std::vector<KnownValue> known;
@@ -71,19 +78,20 @@ std::vector<KnownValue> known_values(const FieldScene& field) {
 
 FieldInput take_field(FieldScene& field) {
   FieldInput input;
-  input.network = build_network(field.graph, field.roles);
+  input.network = build_network(field.graph, field.roles, field.origin);
   field.row_of_node = input.network.row_of_node;
   input.pair_step = min_pair_step(field.graph, field.roles, field.bare);
   input.known = known_values(field);
   input.laws = field.laws;
   input.id = field.graph.id;
-  input.low = field.low;
-  input.high = field.high;
+  input.low = field.low - field.origin;
+  input.high = field.high - field.origin;
   return input;
 }
 
 void append_initial(const FieldScene& field, const Network& network, Scene& scene) {
-  for (const auto node : network.node_of_row) scene.initial.push_back(field.graph.initial[at(node)]);
+  for (const auto node : network.node_of_row)
+    scene.initial.push_back(field.graph.initial[at(node)] - field.origin);
 }
 
 void build_single(const std::string& where, FieldScene& field, Scene& scene) {
@@ -97,7 +105,8 @@ void build_single(const std::string& where, FieldScene& field, Scene& scene) {
     scene.rhs = std::make_unique<NonlinearRhs>(std::move(input));
     return;
   }
-  Network network = build_network(field.graph, field.roles);
+  set_origin(field);
+  Network network = build_network(field.graph, field.roles, field.origin);
   field.row_of_node = network.row_of_node;
   append_initial(field, network, scene);
   const double pair_step = min_pair_step(field.graph, field.roles, field.bare);
@@ -143,6 +152,7 @@ void build_pair(const std::string& where, const Coupling& coupling, FieldScene& 
   }
   apply_roles(assign_roles(thermal.graph, where, live), thermal);
   set_range(scene.t_end, thermal);
+  if (!varies(electric) && !varies(thermal)) set_origin(thermal);
   NonlinearInput input;
   input.temperature = take_field(thermal);
   input.potential = take_field(electric);

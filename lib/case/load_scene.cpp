@@ -132,7 +132,7 @@ std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::spa
   std::vector<double> values(graph.nodes());
   for (std::size_t node = 0; node < values.size(); ++node) {
     const auto entry = entry_of_node(field, static_cast<std::int32_t>(node));
-    values[node] = entry >= 0             ? state[static_cast<std::size_t>(entry)]
+    values[node] = entry >= 0             ? state[static_cast<std::size_t>(entry)] + fields[field].origin
                    : graph.is_fixed[node] ? graph.fixed_at(node, t)
                                           : graph.initial[node];
   }

@@ -63,6 +63,10 @@ struct FieldScene {
   std::size_t floating_clusters = 0;      ///< components without a fixed node that are integrated
   std::vector<std::string> warnings;      ///< about its materials
   double low = 0, high = 0;               ///< range of initial and fixed values
+  double origin = 0;                      ///< K or V: entries of the state are differences from it
+
+  /// The range of initial and fixed values as entries of the state have it.
+  [[nodiscard]] FieldRange range_of_state() const noexcept { return {low - origin, high - origin}; }
 };
 
 struct Scene : CaseHead {
@@ -70,7 +74,7 @@ struct Scene : CaseHead {
   std::optional<PackingScene> packed;
   std::vector<FieldScene> fields;
   std::unique_ptr<Rhs> rhs;
-  std::vector<double> initial;               ///< [rhs->size()] state at t = 0
+  std::vector<double> initial;               ///< [rhs->size()] state at t = 0; see FieldScene::origin
   std::vector<double> steady_potential;      ///< [nodes] V, of a steady potential that nothing moves
   NonlinearRhs* moving_potential = nullptr;  ///< solves for a steady potential that follows the state
   double settle_tolerance = 0;  ///< of the potential's span: steady enough not to be stepped on; 0 = never

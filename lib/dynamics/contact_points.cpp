@@ -1,67 +1,169 @@
 #include "dynamics/contact_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "dynamics/laws/contact_law.hpp"
+#include "core/index.hpp"
+#include "core/parallel.hpp"
 
 namespace superstep::dynamics {
+namespace {
 
-void ContactPoints::place(std::span<const Vec3> position, std::span<const double> radius) {
-  if (list_.update(position, radius)) spread_bonds();
-  points_.clear();
-  pair_of_.clear();
-  touching_ = 0;
+/// Whether somebody has moved by more than `limit` [m] since. NaN has not: its force tells.
+bool moved(std::span<const Vec3> position, std::span<const Vec3> since, double limit) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const Vec3 way = position[i] - since[i];
+    farthest = std::max(farthest, dot(way, way));
+  }
+  return farthest > limit * limit;
+}
+
+template <class Pair>
+bool before(const Pair& a, std::int32_t i, std::int32_t j) noexcept {
+  return a.i < i || (a.i == i && a.j < j);
+}
+
+}  // namespace
+
+ContactPoints::ContactPoints(const BondLaw& law, double skin, const Particles& particles)
+    : law_(law), kind_(bond_kind(law.rule)), particles_(particles), table_skin_(skin / 8), list_(skin) {}
+
+void ContactPoints::place(std::span<const Vec3> position) {
+  const bool listed = list_.update(position, particles_.radius);
+  if (listed || picked_.empty() || moved(position, picked_, 0.5 * table_skin_)) pick(position);
+  points_stand_ = false;
+  for_ranges(table_.size(), table_.size() / 4,
+             [&](std::size_t first, std::size_t last) { place_pairs(table_, position, first, last); });
+}
+
+/// The table from the list and the bonds, all of them sorted by (i, j).
+void ContactPoints::pick(std::span<const Vec3> position) {
+  const auto& radius = particles_.radius;
+  const auto& mass = particles_.mass;
   const auto pairs = list_.pairs();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto i = static_cast<std::size_t>(pairs[k].i), j = static_cast<std::size_t>(pairs[k].j);
-    const Vec3 between = position[j] - position[i];
-    const double square = dot(between, between), sum = radius[i] + radius[j];
-    const bool bonded = bond_area_[k] > 0;
-    const bool holds_apart = bonded && law_.rule == BondRule::tension;
-    // A NaN passes: its force shows which particle it came from.
-    if (square >= sum * sum && !holds_apart) continue;
-    const double distance = std::sqrt(square);
-    const bool touches = distance < sum;
-    touching_ += touches ? 1 : 0;
-    points_.push_back({pairs[k].i, pairs[k].j, (1 / distance) * between, pair_strain(distance, sum),
-                       touches ? pair_area(distance, radius[i], radius[j]) : bond_area_[k], distance, sum,
-                       bonded});
-    pair_of_.push_back(k);
+  table_.resize(pairs.size() + bonds_.size());
+  std::size_t k = 0;
+  const auto put = [&](std::int32_t i, std::int32_t j) {
+    const double r_i = radius[at(i)], r_j = radius[at(j)], m_i = mass[at(i)], m_j = mass[at(j)];
+    table_.i[k] = i;
+    table_.j[k] = j;
+    table_.radius_sum[k] = r_i + r_j;
+    table_.square[k] = r_i * r_i;
+    table_.square_difference[k] = r_j * r_j - r_i * r_i;
+    table_.reduced_mass[k] = m_i * m_j / (m_i + m_j);
+    ++k;
+  };
+  std::size_t b = 0;
+  for (const auto& [i, j] : pairs) {
+    for (; b < bonds_.size() && before(bonds_[b], i, j); ++b) put(bonds_[b].i, bonds_[b].j);
+    const bool bonded = b < bonds_.size() && bonds_[b].i == i && bonds_[b].j == j;
+    b += bonded ? 1 : 0;
+    const Vec3 between = position[at(j)] - position[at(i)];
+    const double reach = radius[at(i)] + radius[at(j)] + table_skin_;
+    if (bonded || !(dot(between, between) >= reach * reach)) put(i, j);
+  }
+  for (; b < bonds_.size(); ++b) put(bonds_[b].i, bonds_[b].j);
+  table_.resize(k);
+  std::fill(table_.keep.begin(), table_.keep.end(), 1.0);
+  std::fill(table_.pull.begin(), table_.pull.end(), 0.0);
+  std::fill(table_.damping.begin(), table_.damping.end(), 0.0);
+  picked_.assign(position.begin(), position.end());
+  incidence_stands_ = points_stand_ = false;
+  find_bonds();
+}
+
+/// Where the pairs of the bonds stand in the table; every one of them is there.
+void ContactPoints::find_bonds() {
+  arrays_.pair.resize(bonds_.size());
+  std::size_t k = 0;
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    while (table_.i[k] != bonds_[b].i || table_.j[k] != bonds_[b].j) ++k;
+    arrays_.pair[b] = k;
   }
 }
 
-void ContactPoints::update_bonds() {
-  if (!(law_.stiffness > 0)) return;
-  bonds_.clear();
-  for (std::size_t c = 0; c < points_.size(); ++c) {
-    auto& point = points_[c];
-    double& bond = bond_area_[pair_of_[c]];
-    bond = bond_after_step(law_, bond, point.strain, point.strain < 0 ? point.area : 0.0);
-    if (bond > 0) bonds_.push_back({point.i, point.j, bond});
-    point.bonded = bond > 0;
-    if (!point.bonded && point.strain >= 0) point.area = 0;  // torn apart: nothing flows any more
+void ContactPoints::act(const BondSurroundings& around) {
+  if (bonds_.empty()) return;
+  points_stand_ = false;
+  for_ranges(bonds_.size(), bonds_.size() / 2,
+             [&](std::size_t first, std::size_t last) { kind_.act(around, arrays_, table_, first, last); });
+}
+
+void ContactPoints::update_bonds(std::span<const std::pair<std::int32_t, std::int32_t>> forced) {
+  if (!law_.acts()) return;
+  std::vector<Bond> kept;
+  std::size_t b = 0, f = 0;
+  for (std::size_t k = 0; k < table_.size(); ++k) {
+    const bool bonded = b < bonds_.size() && arrays_.pair[b] == k;
+    const BondMemory memory = bonded ? arrays_.now[b] : BondMemory{std::max(-table_.strain[k], 0.0), 0};
+    b += bonded ? 1 : 0;
+    const double margin = kind_.margin(law_, table_.strain[k], memory, bonded);
+    const std::pair here{table_.i[k], table_.j[k]};
+    while (f < forced.size() && forced[f] < here) ++f;
+    const bool switches = (bonded ? margin < 0 : margin <= 0) || (f < forced.size() && forced[f] == here);
+    if (bonded != switches) kept.push_back({here.first, here.second, memory.overlap, memory.growth});
+    if (!switches || !bonded) continue;
+    table_.keep[k] = 1;  // torn apart: nothing holds or flows any more
+    table_.pull[k] = table_.damping[k] = 0;
+    table_.flow[k] = table_.area[k] / (table_.radius_sum[k] * (1 + table_.strain[k]));
   }
+  bonds_ = std::move(kept);
+  arrays_.resize(bonds_.size());
+  find_bonds();
+  for (std::size_t n = 0; n < bonds_.size(); ++n) {
+    arrays_.begin[n] = arrays_.now[n] = {bonds_[n].overlap, bonds_[n].growth};
+    arrays_.rate[n] = 0;
+  }
+  points_stand_ = false;
+}
+
+void ContactPoints::begin_step() {
+  if (kind_.grows) arrays_.rate = arrays_.rate_now;
 }
 
 void ContactPoints::set_bonds(std::span<const Bond> bonds) {
   bonds_.assign(bonds.begin(), bonds.end());
-  if (!list_.pairs().empty()) spread_bonds();
+  arrays_.resize(bonds_.size());
+  for (std::size_t n = 0; n < bonds_.size(); ++n) {
+    arrays_.begin[n] = arrays_.now[n] = {bonds_[n].overlap, bonds_[n].growth};
+    arrays_.rate[n] = 0;
+  }
+  picked_.clear();  // the table has to hold their pairs
 }
 
-// Both are sorted by (i, j). A trial position may throw a bonded pair out of the list; its bond comes back
-// with the next list, because `bonds_` changes with accepted steps only.
-void ContactPoints::spread_bonds() {
-  const auto pairs = list_.pairs();
-  bond_area_.assign(pairs.size(), 0.0);
+const Incidence& ContactPoints::incidence() const {
+  if (!incidence_stands_) incidence_.build(table_, particles_.size());
+  incidence_stands_ = true;
+  return incidence_;
+}
+
+std::span<const ContactPoint> ContactPoints::points() const {
+  if (points_stand_) return points_;
+  points_.clear();
   std::size_t b = 0;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto before = [&](const Bond& bond) {
-      return bond.i < pairs[k].i || (bond.i == pairs[k].i && bond.j < pairs[k].j);
-    };
-    while (b < bonds_.size() && before(bonds_[b])) ++b;
-    if (b == bonds_.size()) return;
-    if (bonds_[b].i == pairs[k].i && bonds_[b].j == pairs[k].j) bond_area_[k] = bonds_[b].area;
+  for (std::size_t k = 0; k < table_.size(); ++k) {
+    const bool bonded = b < bonds_.size() && arrays_.pair[b] == k;
+    b += bonded ? 1 : 0;
+    // A NaN passes: its force shows which particle it came from.
+    if (table_.strain[k] >= 0 && !bonded) continue;
+    const double distance = table_.radius_sum[k] * (1 + table_.strain[k]);
+    points_.push_back({table_.i[k],
+                       table_.j[k],
+                       {table_.nx[k], table_.ny[k], table_.nz[k]},
+                       table_.strain[k],
+                       table_.flow[k] * distance,
+                       distance,
+                       table_.radius_sum[k],
+                       bonded});
   }
+  points_stand_ = true;
+  return points_;
+}
+
+std::size_t ContactPoints::touching() const noexcept {
+  return static_cast<std::size_t>(
+      std::count_if(table_.strain.begin(), table_.strain.end(), [](double strain) { return strain < 0; }));
 }
 
 }  // namespace superstep::dynamics

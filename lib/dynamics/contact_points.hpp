@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "dynamics/laws/bond_law.hpp"
+#include "dynamics/bond_registry.hpp"
+#include "dynamics/contact_table.hpp"
 #include "dynamics/neighbour_list.hpp"
 #include "dynamics/particles.hpp"
 
@@ -16,43 +18,66 @@ struct ContactPoint {
   std::int32_t i, j;
   Vec3 normal;        ///< from i to j
   double strain;      ///< E < 0 in contact
-  double area;        ///< A_c [m2]; of the bond where the pair has come apart
+  double area;        ///< that conducts: of the contact, or of the bond where that is larger [m2]
   double distance;    ///< of the centres [m]
   double radius_sum;  ///< m
   bool bonded;
 };
 
-/// Follows the particles: bonds and the list of candidate pairs live on from one instant to the next.
+/// Follows the particles: bonds and the lists of candidate pairs live on from one instant to the next.
+///
+///   list    every pair nearer than the skin                  found anew when somebody has moved by half of
+///   it table   those of it nearer than an eighth of the skin,   picked anew when somebody has moved by half
+///   of that
+///           and all bonded pairs
 class ContactPoints {
  public:
-  ContactPoints(const BondLaw& law, double skin, double largest_radius)
-      : law_(law), list_(skin, 2 * largest_radius * law.reach()) {}
+  /// Keeps a reference to the particles.
+  ContactPoints(const BondLaw& law, double skin, const Particles& particles);
 
-  /// Contacts of these positions, sorted by (i, j), whatever the list behind them: results do not depend on
-  /// when it was built.
-  void place(std::span<const Vec3> position, std::span<const double> radius);
-  /// Forms and breaks bonds by the contacts at hand: once a step, never inside its iterations, so that a pair
-  /// at the threshold cannot keep an iteration from converging.
-  void update_bonds();
+  /// Contacts of these positions, sorted by (i, j), whatever the lists behind them: results do not depend on
+  /// when they were built. Bonds do not act yet.
+  void place(std::span<const Vec3> position);
+  /// Takes the bonds to this instant of the step.
+  void act(const BondSurroundings& around);
+  /// What bonds have become at the instant last placed stays: they form and break, once a step, never inside
+  /// its iterations, so that a pair at the threshold cannot keep an iteration from converging.
+  ///   forced  pairs (i, j), sorted, whose bond switches now because the step ends where it does, give or
+  ///   take
+  ///           rounding
+  void update_bonds(std::span<const std::pair<std::int32_t, std::int32_t>> forced = {});
+  /// Growth rates of this instant are those that the next step begins with.
+  void begin_step();
   void set_bonds(std::span<const Bond> bonds);
 
-  [[nodiscard]] std::span<const ContactPoint> points() const noexcept { return points_; }
+  /// Pairs of the table that touch or are bonded.
+  [[nodiscard]] std::span<const ContactPoint> points() const;
+  [[nodiscard]] const ContactTable& table() const noexcept { return table_; }
+  [[nodiscard]] const Incidence& incidence() const;
+  [[nodiscard]] const BondArrays& bonded() const noexcept { return arrays_; }
   /// Sorted by (i, j).
   [[nodiscard]] std::span<const Bond> bonds() const noexcept { return bonds_; }
   [[nodiscard]] const NeighbourList& list() const noexcept { return list_; }
   /// Pairs with strain < 0.
-  [[nodiscard]] std::size_t touching() const noexcept { return touching_; }
+  [[nodiscard]] std::size_t touching() const noexcept;
 
  private:
-  void spread_bonds();
+  void pick(std::span<const Vec3> position);
+  void find_bonds();
 
   BondLaw law_;
+  const BondKind& kind_;
+  const Particles& particles_;
+  double table_skin_;
   NeighbourList list_;
-  std::vector<double> bond_area_;     // of each pair of the list; 0 = none [m2]
-  std::vector<std::size_t> pair_of_;  // [points] position in the list
-  std::vector<ContactPoint> points_;
-  std::vector<Bond> bonds_;
-  std::size_t touching_ = 0;
+  ContactTable table_;
+  std::vector<Vec3> picked_;  // positions when the table was made
+  std::vector<Bond> bonds_;   // as the step begins
+  BondArrays arrays_;
+  mutable Incidence incidence_;
+  mutable bool incidence_stands_ = false;
+  mutable std::vector<ContactPoint> points_;
+  mutable bool points_stand_ = false;
 };
 
 }  // namespace superstep::dynamics

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/index.hpp"
+#include "core/parallel.hpp"
 #include "dynamics/laws/damping.hpp"
 #include "dynamics/laws/drag.hpp"
 #include "dynamics/laws/friction.hpp"
@@ -33,90 +34,63 @@ double damping_of(const ContactLaw& law, double push, double strain, double leng
   return normal_damping(law.damping, mass, contact_slope(push, law.exponent, -strain, length));
 }
 
-double reduced_mass(double m_i, double m_j) noexcept {
-  return m_i * m_j / (m_i + m_j);
-}
-
-Vec3 pair_force(const Model& model, const Particles& particles, const ContactPoint& contact,
-                std::span<const Vec3> velocity, std::span<const double> temperature) noexcept {
-  const std::size_t i = at(contact.i), j = at(contact.j);
-  Vec3 force;
-  if (contact.strain < 0) {
-    const ContactLaw& law = model.contact;
-    const double push =
-        contact_force(law, contact.strain, contact.area, 0.5 * (temperature[i] + temperature[j]));
-    const double damping = damping_of(law, push, contact.strain, contact.radius_sum,
-                                      reduced_mass(particles.mass[i], particles.mass[j]));
-    force = force_through(law, contact.normal, velocity[j] - velocity[i], push, damping);
-  }
-  if (contact.bonded) force = force + bond_force(model.bond, contact.strain, contact.area) * contact.normal;
-  // Centres that coincide have no direction: NaN, so that the step is refused and the pair named.
-  return contact.distance > 0 ? force : std::numeric_limits<double>::quiet_NaN() * Vec3{1, 1, 1};
-}
-
 double wall_push(const Model& model, const WallContact& contact, double particle_temperature) noexcept {
   const double wall_temperature = model.thermal.wall_temperature[at(contact.wall)];
   return contact_force(model.wall, contact.strain, contact.area,
                        0.5 * (particle_temperature + wall_temperature));
 }
 
-Vec3 wall_velocity(const Placement& placement, Wall wall) noexcept {
-  return {0, 0, wall == upper ? placement.upper_wall_velocity : 0.0};
-}
-
 }  // namespace
 
-double sum_forces(const Model& model, const Particles& particles, const Placement& placement,
-                  std::span<const Vec3> velocity, std::span<const double> temperature,
+double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
+                  std::span<const WallContact> walls, double upper_wall_velocity,
+                  std::span<const Vec3> velocity, std::span<const double> temperature, PairForces& room,
                   std::span<Vec3> force) {
-  for (std::size_t i = 0; i < force.size(); ++i)
+  for_each_entry(force.size(), [&](std::size_t i) {
     force[i] =
         weight(particles.mass[i], model.gravity) + drag_force(model.drag, particles.radius[i], velocity[i]);
-  for (const auto& contact : placement.contacts) {
-    const Vec3 pair = pair_force(model, particles, contact, velocity, temperature);
-    force[at(contact.i)] = force[at(contact.i)] + pair;
-    force[at(contact.j)] = force[at(contact.j)] - pair;
-  }
+  });
+  add_pair_forces(model.contact, contacts.table(), velocity, temperature, room, force,
+                  [&]() -> const Incidence& { return contacts.incidence(); });
   double on_upper_wall = 0;
-  for (const auto& contact : placement.walls) {
+  for (const auto& contact : walls) {
     const std::size_t i = at(contact.particle);
     const Vec3 normal = outward(contact.wall);
+    const Vec3 relative = Vec3{0, 0, contact.wall == upper ? upper_wall_velocity : 0.0} - velocity[i];
     const double push = wall_push(model, contact, temperature[i]);
     const double damping =
         damping_of(model.wall, push, contact.strain, particles.radius[i], particles.mass[i]);
-    const Vec3 relative = wall_velocity(placement, contact.wall) - velocity[i];
     force[i] = force[i] + force_through(model.wall, normal, relative, push, damping);
     if (contact.wall == upper) on_upper_wall += damped_push(push, damping, dot(relative, normal));
   }
   return on_upper_wall;
 }
 
-double explicit_step_limit(const Model& model, const Particles& particles, const Placement& placement,
-                           std::span<const double> temperature, std::vector<double>& stiffness,
-                           std::vector<double>& damping) {
+double explicit_step_limit(const Model& model, const Particles& particles, const ContactPoints& contacts,
+                           std::span<const WallContact> walls, std::span<const double> temperature,
+                           std::vector<double>& stiffness, std::vector<double>& damping) {
   const std::size_t n = particles.size();
   stiffness.assign(n, 0.0);
   damping.assign(n, 0.0);
-  for (const auto& contact : placement.contacts) {
-    const std::size_t i = at(contact.i), j = at(contact.j);
-    double slope = 0, resistance = 0;
-    if (contact.strain < 0) {
-      const double push =
-          contact_force(model.contact, contact.strain, contact.area, 0.5 * (temperature[i] + temperature[j]));
-      slope = contact_slope(push, model.contact.exponent, -contact.strain, contact.radius_sum);
-      resistance = damping_of(model.contact, push, contact.strain, contact.radius_sum,
-                              reduced_mass(particles.mass[i], particles.mass[j])) +
-                   model.contact.friction * push / model.contact.friction_speed;
+  const ContactTable& table = contacts.table();
+  const auto add = [&](std::size_t k, double slope, double resistance) {
+    for (const std::size_t p : {at(table.i[k]), at(table.j[k])}) {
+      stiffness[p] += 2 * slope;
+      damping[p] += 2 * resistance;
     }
-    if (contact.bonded && contact.strain != 0)
-      slope += contact_slope(bond_force(model.bond, contact.strain, contact.area), model.bond.exponent,
-                             std::abs(contact.strain), contact.radius_sum);
-    for (const std::size_t k : {i, j}) {
-      stiffness[k] += 2 * slope;
-      damping[k] += 2 * resistance;
-    }
+  };
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    if (!(table.strain[k] < 0)) continue;
+    const double push = contact_force(model.contact, table.strain[k], table.area[k],
+                                      0.5 * (temperature[at(table.i[k])] + temperature[at(table.j[k])]));
+    add(k, contact_slope(push, model.contact.exponent, -table.strain[k], table.radius_sum[k]),
+        damping_of(model.contact, push, table.strain[k], table.radius_sum[k], table.reduced_mass[k]) +
+            model.contact.friction * push / model.contact.friction_speed);
   }
-  for (const auto& contact : placement.walls) {
+  const BondArrays& bonds = contacts.bonded();
+  for (std::size_t b = 0; b < bonds.size(); ++b)
+    add(bonds.pair[b], bonds.slope[b], table.damping[bonds.pair[b]]);
+  for (const auto& contact : walls) {
     const std::size_t i = at(contact.particle);
     const double push = wall_push(model, contact, temperature[i]);
     stiffness[i] += contact_slope(push, model.wall.exponent, -contact.strain, particles.radius[i]);

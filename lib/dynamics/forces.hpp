@@ -6,6 +6,7 @@
 
 #include "dynamics/contact_points.hpp"
 #include "dynamics/model.hpp"
+#include "dynamics/pair_forces.hpp"
 #include "dynamics/particles.hpp"
 
 namespace superstep::dynamics {
@@ -17,18 +18,20 @@ struct Placement {
   double upper_wall_velocity = 0;  ///< m/s, along z
 };
 
-/// Sum of the forces on each particle [N] (Zohdi 2014, eq. 21): weight, drag, contacts, walls, bonds. One
-/// pass over the contacts; pair forces are applied with opposite signs, so they cannot change the total
-/// momentum. Returns the normal force on the upper wall [N].
-double sum_forces(const Model& model, const Particles& particles, const Placement& placement,
-                  std::span<const Vec3> velocity, std::span<const double> temperature, std::span<Vec3> force);
+/// Sum of the forces on each particle [N] (Zohdi 2014, eq. 21): weight, drag, contacts, bonds, walls. Returns
+/// the normal force on the upper wall [N].
+double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
+                  std::span<const WallContact> walls, double upper_wall_velocity,
+                  std::span<const Vec3> velocity, std::span<const double> temperature, PairForces& room,
+                  std::span<Vec3> force);
 
 /// Longest step of a plain explicit scheme [s] by Gershgorin's bound on stiffness and damping over mass at
 /// this instant; infinity where nothing acts. Oscillations limit it to 2/omega, damping to 2 m/c; both
 /// together are bounded by 1/(1/h_1 + 1/h_2).
 ///   stiffness, damping  [n] scratch
 [[nodiscard]] double explicit_step_limit(const Model& model, const Particles& particles,
-                                         const Placement& placement, std::span<const double> temperature,
-                                         std::vector<double>& stiffness, std::vector<double>& damping);
+                                         const ContactPoints& contacts, std::span<const WallContact> walls,
+                                         std::span<const double> temperature, std::vector<double>& stiffness,
+                                         std::vector<double>& damping);
 
 }  // namespace superstep::dynamics

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/index.hpp"
+#include "core/parallel.hpp"
 
 namespace superstep::dynamics {
 namespace {
@@ -15,25 +16,39 @@ double wall_conductance(const ThermalLaw& law, const WallContact& contact, doubl
 
 }  // namespace
 
-void heat_rates(const ThermalLaw& law, const Particles& particles, const Placement& placement, Held held,
-                std::span<const double> joule, std::span<const double> temperature, std::span<double> rate) {
+void heat_rates(const ThermalLaw& law, const Particles& particles, const ContactPoints& contacts,
+                std::span<const WallContact> walls, Held held, std::span<const double> joule,
+                std::span<const double> temperature, std::span<double> rate) {
   std::copy(joule.begin(), joule.end(), rate.begin());
-  if (law.conductivity > 0) {
-    for (const auto& contact : placement.contacts) {
-      const std::size_t i = at(contact.i), j = at(contact.j);
-      const double flow = pair_conductance(law, contact) * (temperature[j] - temperature[i]);
-      rate[i] += flow;
-      rate[j] -= flow;
+  const ContactTable& table = contacts.table();
+  const auto flow_into_i = [&](std::size_t k) {
+    return law.conductivity * table.flow[k] * (temperature[at(table.j[k])] - temperature[at(table.i[k])]);
+  };
+  if (law.conductivity > 0 && threads_for(table.size() / 4) == 1) {
+    for (std::size_t k = 0; k < table.size(); ++k) {
+      const double flow = flow_into_i(k);
+      rate[at(table.i[k])] += flow;
+      rate[at(table.j[k])] -= flow;
     }
-    if (law.walls_conduct)
-      for (const auto& contact : placement.walls) {
-        const std::size_t i = at(contact.particle);
-        rate[i] += wall_conductance(law, contact, particles.radius[i]) *
-                   (law.wall_temperature[at(contact.wall)] - temperature[i]);
-      }
+  } else if (law.conductivity > 0) {
+    const Incidence& pairs_of = contacts.incidence();
+    for_ranges(rate.size(), table.size() / 4, [&](std::size_t first, std::size_t last) {
+      for (std::size_t p = first; p < last; ++p)
+        for (std::size_t e = pairs_of.begin[p]; e < pairs_of.begin[p + 1]; ++e) {
+          const double flow = flow_into_i(at(pairs_of.entry[e] / 2));
+          rate[p] += pairs_of.entry[e] % 2 == 0 ? flow : -flow;
+        }
+    });
   }
-  for (std::size_t i = 0; i < rate.size(); ++i)
+  if (law.conductivity > 0 && law.walls_conduct)
+    for (const auto& contact : walls) {
+      const std::size_t i = at(contact.particle);
+      rate[i] += wall_conductance(law, contact, particles.radius[i]) *
+                 (law.wall_temperature[at(contact.wall)] - temperature[i]);
+    }
+  for_each_entry(rate.size(), [&](std::size_t i) {
     rate[i] = held[i] >= 0 ? 0.0 : rate[i] / (particles.mass[i] * law.specific_heat);
+  });
 }
 
 Network thermal_network(const ThermalLaw& law, const Particles& particles, const Placement& placement,

@@ -20,8 +20,10 @@ using Held = std::span<const std::int32_t>;
 /// Temperature rates [K/s]: (sum_j kappa A_ij/|x_i - x_j| (T_j - T_i) + the same to walls + H_i)/(m_i C); 0
 /// for held particles. Source: Zohdi (2014), eqs 31-35.
 ///   joule [n]  H_i [W]
-void heat_rates(const ThermalLaw& law, const Particles& particles, const Placement& placement, Held held,
-                std::span<const double> joule, std::span<const double> temperature, std::span<double> rate);
+/// Each particle adds its pairs in the order of the table: the same bits for any number of threads.
+void heat_rates(const ThermalLaw& law, const Particles& particles, const ContactPoints& contacts,
+                std::span<const WallContact> walls, Held held, std::span<const double> joule,
+                std::span<const double> temperature, std::span<double> rate);
 
 /// The same equations as a frozen network for any integrator: rows are the particles that are not held, in
 /// their order; ghosts are the six walls. `Network::node_of_row` and `row_of_node` speak of particles.

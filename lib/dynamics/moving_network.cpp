@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 
 namespace superstep::dynamics {
@@ -19,10 +20,6 @@ class PartTimer {
   double begin_;
 };
 
-double largest(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
-
 Electrodes electrodes_of(const Phase& phase) {
   return {phase.lower, phase.upper};
 }
@@ -32,27 +29,41 @@ Electrodes electrodes_of(const Phase& phase) {
 MovingNetwork::MovingNetwork(const Model& model, const Particles& particles)
     : model_(model),
       particles_(particles),
-      contacts_(model.bond, model.skin, largest(particles.radius)),
+      contacts_(model.bond, model.skin, particles),
       current_(model.electric, particles),
       held_(particles.size(), -1),
       depth_(particles.size(), 0.0) {}
 
-void MovingNetwork::place(std::span<const Vec3> position, const Phase& phase, double t) {
+void MovingNetwork::place(std::span<const Vec3> position, std::span<const double> temperature,
+                          const Phase& phase, double t, StepPart step) {
   const PartTimer timer(times.contacts);
-  contacts_.place(position, particles_.radius);
+  contacts_.place(position);
+  act_bonds(temperature, step);
   find_wall_contacts(model_.box, phase.wall_height(t), position, particles_.radius, wall_contacts_);
   upper_wall_velocity_ = phase.wall_velocity();
+}
+
+void MovingNetwork::act_bonds(std::span<const double> temperature, StepPart step) {
+  if (contacts_.bonds().empty()) return;
+  const BondLaw& law = model_.bond;
+  const bool grows = bond_kind(law.rule).grows && law.growth.activation > 0;
+  mobility_.resize(grows ? particles_.size() : 0);
+  for_each_entry(mobility_.size(),
+                 [&](std::size_t i) { mobility_[i] = arrhenius_root(law.growth, temperature[i]); });
+  contacts_.act({law, model_.contact, temperature, mobility_, step});
 }
 
 double MovingNetwork::forces(std::span<const Vec3> velocity, std::span<const double> temperature,
                              std::span<Vec3> force) {
   const PartTimer timer(times.forces);
-  return sum_forces(model_, particles_, placement(), velocity, temperature, force);
+  return sum_forces(model_, particles_, contacts_, wall_contacts_, upper_wall_velocity_, velocity,
+                    temperature, pair_forces_, force);
 }
 
 void MovingNetwork::rates(std::span<const double> temperature, std::span<double> rate) {
   const PartTimer timer(times.heat);
-  heat_rates(model_.thermal, particles_, placement(), held_, current_.heat(), temperature, rate);
+  heat_rates(model_.thermal, particles_, contacts_, wall_contacts_, held_, current_.heat(), temperature,
+             rate);
 }
 
 void MovingNetwork::touch_walls(State& state, const Phase& phase) {
@@ -76,15 +87,25 @@ void MovingNetwork::settle(State& state, const Phase& phase) {
     contacts_.update_bonds();
     state.bonds.assign(contacts_.bonds().begin(), contacts_.bonds().end());
   }
+  {
+    const PartTimer timer(times.current);
+    touch_walls(state, phase);
+  }
+  {
+    const PartTimer timer(times.contacts);
+    act_bonds(state.temperature, {});
+    contacts_.begin_step();
+  }
   const PartTimer timer(times.current);
-  touch_walls(state, phase);
   current_.update(placement(), electrodes_of(phase), state.electric);
 }
 
 void MovingNetwork::resume(State& state, const Phase& phase) {
   contacts_.set_bonds(state.bonds);
-  place(state.position, phase, state.time);
+  place(state.position, state.temperature, phase, state.time);
   touch_walls(state, phase);
+  act_bonds(state.temperature, {});
+  contacts_.begin_step();
   current_.restore(placement(), electrodes_of(phase), state.electric);
 }
 
@@ -94,7 +115,8 @@ Network MovingNetwork::frozen_network() const {
 
 double MovingNetwork::explicit_limit(std::span<const double> temperature) {
   const PartTimer timer(times.forces);
-  return explicit_step_limit(model_, particles_, placement(), temperature, stiffness_, damping_);
+  return explicit_step_limit(model_, particles_, contacts_, wall_contacts_, temperature, stiffness_,
+                             damping_);
 }
 
 }  // namespace superstep::dynamics

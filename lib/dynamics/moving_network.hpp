@@ -26,8 +26,11 @@ class MovingNetwork {
   /// Keeps references: both must outlive it.
   MovingNetwork(const Model& model, const Particles& particles);
 
-  /// Contacts with particles and walls at these positions at a time of `phase`.
-  void place(std::span<const Vec3> position, const Phase& phase, double t);
+  /// Contacts with particles and walls at these positions at a time t of `phase`, and what bonds do there.
+  ///   temperature  [n] that bonds have and grow at
+  ///   step         how far into the step this instant is
+  void place(std::span<const Vec3> position, std::span<const double> temperature, const Phase& phase,
+             double t, StepPart step = {});
   /// Sum of the forces at the instant last placed [N]; returns the normal force on the upper wall [N].
   double forces(std::span<const Vec3> velocity, std::span<const double> temperature, std::span<Vec3> force);
   /// Temperature rates at the instant last placed, with the current of the last `settle` [K/s].
@@ -55,6 +58,7 @@ class MovingNetwork {
 
  private:
   void touch_walls(State& state, const Phase& phase);
+  void act_bonds(std::span<const double> temperature, StepPart step);
 
   const Model& model_;
   const Particles& particles_;
@@ -63,7 +67,8 @@ class MovingNetwork {
   double upper_wall_velocity_ = 0;
   CurrentField current_;
   std::vector<std::int32_t> held_;
-  std::vector<double> depth_, stiffness_, damping_;
+  std::vector<double> depth_, stiffness_, damping_, mobility_;
+  PairForces pair_forces_;
 };
 
 }  // namespace superstep::dynamics

@@ -21,7 +21,7 @@ bool NeighbourList::update(std::span<const Vec3> position, std::span<const doubl
   // A runaway position would ask for absurdly many cells; the forces on it are not finite either.
   for (const Vec3& point : position)
     if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) return false;
-  pairs_ = near_pairs(position, radius, reach_ + skin_);
+  pairs_ = near_pairs(position, radius, skin_);
   listed_.assign(position.begin(), position.end());
   ++builds_;
   return true;

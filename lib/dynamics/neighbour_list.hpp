@@ -12,10 +12,9 @@ namespace superstep::dynamics {
 
 class NeighbourList {
  public:
-  /// skin [m] > 0: the list holds every pair nearer than r_i + r_j + reach + skin, and stays valid until some
+  /// skin [m] > 0: the list holds every pair nearer than r_i + r_j + skin, and stays valid until some
   /// particle has moved by half the skin.
-  ///   reach [m]  gap up to which pairs act on each other, >= 0
-  NeighbourList(double skin, double reach) : skin_(skin), reach_(reach) {}
+  explicit NeighbourList(double skin) : skin_(skin) {}
 
   /// Makes the list valid for these positions; true when it had to be built anew. O(n). A non-finite position
   /// leaves the list as it is: the caller finds the particle by its forces.
@@ -28,7 +27,7 @@ class NeighbourList {
  private:
   [[nodiscard]] bool stale(std::span<const Vec3> position) const noexcept;
 
-  double skin_, reach_;
+  double skin_;
   std::vector<NearPair> pairs_;
   std::vector<Vec3> listed_;  // positions when the list was built
   std::uint64_t builds_ = 0;

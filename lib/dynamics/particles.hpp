@@ -17,10 +17,11 @@ struct Particles {
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
 };
 
-/// A bonded pair i < j and the area of its bond.
+/// A bonded pair i < j and what its bond remembers.
 struct Bond {
   std::int32_t i, j;
-  double area;  ///< m2
+  double overlap;  ///< largest overlap strain since it formed
+  double growth;   ///< u of its neck, 0 to 1
 };
 
 /// Everything about n particles that changes with time: with the model it decides all that follows.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "core/index.hpp"
@@ -122,9 +123,28 @@ void add_inputs(const Graph& graph, Network& network) {
                    [](const auto& a, const auto& b) { return a.node < b.node; });
 }
 
+/// Turns the values of ghosts into differences from the origin. A table that rules a source, too, is copied.
+void count_from(double origin, Network& network) {
+  network.origin = origin;
+  for (double& value : network.ghost_value) value -= origin;
+  std::set<std::int32_t> of_sources;
+  for (const auto& source : network.tabled_sources) of_sources.insert(source.table);
+  std::map<std::int32_t, std::int32_t> counted;  // a table's index, and where its differences are
+  for (auto& table : network.ghost_table) {
+    if (table < 0) continue;
+    const bool copied = of_sources.contains(table);
+    const auto [entry, fresh] =
+        counted.try_emplace(table, copied ? static_cast<std::int32_t>(network.tables.size()) : table);
+    if (fresh && copied) network.tables.push_back(TimeTable(network.tables[at(table)]));
+    table = entry->second;
+    if (fresh)
+      for (double& value : network.tables[at(table)].value) value -= origin;
+  }
+}
+
 }  // namespace
 
-Network build_network(const Graph& graph, std::span<const NodeRole> roles) {
+Network build_network(const Graph& graph, std::span<const NodeRole> roles, double origin) {
   std::vector<std::int32_t> free_nodes, row_of_node(graph.nodes(), -1);
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
     if (roles[node] != NodeRole::free) continue;
@@ -150,6 +170,7 @@ Network build_network(const Graph& graph, std::span<const NodeRole> roles) {
   std::stable_sort(network.ghost_edges.begin(), network.ghost_edges.end(),
                    [](const auto& a, const auto& b) { return a.row < b.row; });
   add_inputs(graph, network);
+  if (origin != 0) count_from(origin, network);
   return network;
 }
 

@@ -31,6 +31,7 @@ struct Network {
   std::vector<std::int32_t> column;     ///< [nnz] free nodes, ascending in each row
   std::vector<double> conductance;      ///< [nnz] W/K or S; entry (i,j) equals entry (j,i)
   std::vector<GhostEdge> ghost_edges;
+  double origin = 0;                      ///< K or V: all values below are differences from it
   std::vector<double> ghost_value;        ///< [g] K or V, at t = 0 where a table rules
   std::vector<std::int32_t> ghost_node;   ///< [g] position in the graph; -1 for the ambient of a convection
   std::vector<double> capacity;           ///< [n] J/K or F
@@ -38,7 +39,7 @@ struct Network {
   std::vector<std::int32_t> node_of_row;  ///< [n] position in the graph
   std::vector<std::int32_t> row_of_node;  ///< [graph nodes] row, or -1 for nodes that are not free
 
-  std::vector<TimeTable> tables;
+  std::vector<TimeTable> tables;             ///< those of values as differences from `origin`
   std::vector<std::int32_t> ghost_table;     ///< [g] index into tables, -1 = constant
   std::vector<TabledSource> tabled_sources;  ///< `node` is a row here
   std::vector<AmbientExchange> radiation;    ///< `node` is a row here, ascending
@@ -54,7 +55,8 @@ struct Network {
 
 /// Eliminates fixed nodes, drops idle ones and edges of conductance 0, and reorders the rest. O(nodes + edges
 /// log).
-[[nodiscard]] Network build_network(const Graph& graph, std::span<const NodeRole> roles);
+///   origin [K or V]  what the network's values are counted from; 0 where a field radiates
+[[nodiscard]] Network build_network(const Graph& graph, std::span<const NodeRole> roles, double origin = 0);
 
 /// Smallest pairwise step `min 2 C_i C_j / ((C_i + C_j) K_ij)` [s] over edges with a free end; infinity
 /// without edges. Not a stability bound. Source: Rojek & Nisar 2026, eqs 27-29.

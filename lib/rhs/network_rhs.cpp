@@ -19,7 +19,7 @@ RhsTraits traits_of(const Network& network) {
 
 NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step)
     : Rhs(network.size(), traits_of(network),
-          {FieldView{std::move(field_name), std::move(unit), 0, 1, network.size()}}),
+          {FieldView{std::move(field_name), std::move(unit), 0, 1, network.size(), network.origin}}),
       field_(std::make_shared<FieldOperator>(std::move(network))),
       bound_(spectral_bounds(field_->network()).smallest()) {
   find_facts(pair_step);
@@ -28,7 +28,7 @@ NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit
 NetworkRhs::NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_name, std::string unit,
                        double pair_step, RhsCounters& counters)
     : Rhs(field->size(), traits_of(field->network()),
-          {FieldView{std::move(field_name), std::move(unit), 0, 1, field->size()}}),
+          {FieldView{std::move(field_name), std::move(unit), 0, 1, field->size(), field->network().origin}}),
       field_(std::move(field)),
       bound_(spectral_bounds(field_->network()).smallest()) {
   count_into(counters);

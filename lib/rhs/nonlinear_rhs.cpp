@@ -45,7 +45,8 @@ std::vector<FieldView> views_of(const NonlinearInput& input) {
     offset = input.potential->network.size();
     views.push_back({"potential", "V", 0, 1, offset});
   }
-  views.push_back({"temperature", "K", offset, 1, input.temperature.network.size()});
+  const Network& thermal = input.temperature.network;
+  views.push_back({"temperature", "K", offset, 1, thermal.size(), thermal.origin});
   return views;
 }
 

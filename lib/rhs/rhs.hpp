@@ -32,6 +32,7 @@ struct FieldView {
   std::string name;  ///< "temperature" or "potential"
   std::string unit;  ///< "K" or "V"
   std::size_t offset = 0, stride = 1, count = 0;
+  double origin = 0;  ///< K or V: entries are differences from it
 };
 
 /// Work done by a right-hand side since the last reset.

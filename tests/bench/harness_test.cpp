@@ -7,7 +7,7 @@
 
 #include "bench/app/loaded_case.hpp"
 #include "core/error.hpp"
-#include "integrators/spec_settings.hpp"
+#include "integrators/method_spec.hpp"
 #include "temporary_case.hpp"
 
 namespace superstep {
@@ -130,19 +130,24 @@ TEST_F(RodBench, AnInterruptedBenchReportsWhatIsVerified) {
   EXPECT_TRUE(bench().rows.empty());
 }
 
-TEST(SpecSettings, ToleranceReplacesRtol) {
-  EXPECT_EQ(with_tolerance("cvode", 1e-7), "cvode:rtol=1e-07");
-  EXPECT_EQ(with_tolerance("cvode:rtol=1e-3,linsol=klu", 0.5e-7), "cvode:rtol=5e-08,linsol=klu");
-  EXPECT_THROW((void)with_tolerance("forward-euler", 1e-3), UsageError);
+TEST(MethodSpec, ToleranceReplacesRtol) {
+  EXPECT_EQ(MethodSpec("cvode").with_tolerance(1e-7).text(), "cvode:rtol=1e-07");
+  EXPECT_EQ(MethodSpec("cvode:rtol=1e-3,linsol=klu").with_tolerance(0.5e-7).text(),
+            "cvode:rtol=5e-08,linsol=klu");
+  EXPECT_EQ(MethodSpec("cvode").with_tolerance(1e-7).rtol(), 1e-7);
+  EXPECT_THROW((void)MethodSpec("forward-euler").with_tolerance(1e-3), UsageError);
+  EXPECT_THROW((void)MethodSpec("rkc").with_tolerance(2), UsageError);
 }
 
-TEST(SpecSettings, LoosenedIsTenTimesLooser) {
-  EXPECT_EQ(loosened("cvode:rtol=1e-9").value(), "cvode:rtol=1e-08");
-  EXPECT_TRUE(loosened("cvode")) << "the default tolerance counts as well";
-  EXPECT_FALSE(loosened("sts:n=5"));
+TEST(MethodSpec, TakesDefaultsFromTheTableOfKeys) {
+  for (const auto& entry : integrators())
+    for (const auto& key : entry.keys)
+      if (key.name == "rtol" && entry.adaptive) {
+        EXPECT_EQ(MethodSpec(entry.name).rtol(), std::stod(key.fallback)) << entry.name;
+      }
 }
 
-TEST(SpecSettings, FolderNamesAreHarmless) {
+TEST(MethodSpec, FolderNamesAreHarmless) {
   EXPECT_EQ(folder_name("sts:n=20,nu=1e-4"), "sts_n=20_nu=1e-4");
   EXPECT_EQ(folder_name("a/../b c"), "a_.._b_c");
 }

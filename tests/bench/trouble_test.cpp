@@ -12,8 +12,8 @@
 
 #include "bench/harness/harness.hpp"
 #include "bench/measure/run_one.hpp"
+#include "integrators/method_spec.hpp"
 #include "integrators/registry.hpp"
-#include "integrators/spec_settings.hpp"
 
 namespace superstep {
 namespace {
@@ -142,7 +142,7 @@ TEST_P(Trouble, IsRightUnderEveryAdaptiveMethodInsidePulsesToo) {
   for (const auto& entry : integrators()) {
     if (!entry.adaptive) continue;
     for (const double rtol : {1e-3, 1e-5}) {
-      const std::string spec = with_tolerance(entry.name, rtol);
+      const std::string spec = MethodSpec(entry.name).with_tolerance(rtol).text();
       const Integrated run = integrate(scene_, spec);
       if (run.run.outcome.status == Status::refused) continue;
       ASSERT_TRUE(run.run.outcome.ok()) << spec << ": " << run.run.outcome.reason;

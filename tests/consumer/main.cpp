@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   const auto method = superstep::make_integrator(argv[2]);
   superstep::Plan plan;
   plan.output_times = scene.output_times;
-  plan.ranges = {{scene.fields.front().low, scene.fields.front().high}};
+  plan.ranges = {scene.fields.front().range_of_state()};
   method->prepare(*scene.rhs, plan);
   method->start(0.0, scene.initial);
   for (const double t : scene.output_times)

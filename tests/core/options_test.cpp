@@ -24,8 +24,8 @@ TEST(Spec, SplitsNameAndSettings) {
   EXPECT_EQ(options.spec().parameters(), "n=20,nu=1e-4,order=leja");
   EXPECT_EQ(options.integer("n"), 20);
   EXPECT_EQ(options.number("nu"), 1e-4);
-  EXPECT_EQ(options.word("order", "natural"), "leja");
-  EXPECT_EQ(options.number("step"), std::nullopt);
+  EXPECT_EQ(options.word("order"), "leja");
+  EXPECT_EQ(options.given("step"), std::nullopt);
 }
 
 TEST(Spec, NamesValueRangeAndNearestKey) {

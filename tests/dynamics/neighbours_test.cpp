@@ -35,11 +35,11 @@ Pairs found(const ContactPoints& contacts) {
 
 TEST(Neighbours, NothingIsMissedUnderMotion) {
   Cloud cloud = random_cloud(300, 0.6, 41, 1.0);
-  ContactPoints contacts(BondLaw{}, 0.03, 0.1);
+  ContactPoints contacts(BondLaw{}, 0.03, cloud.particles);
   for (int step = 0; step < 200; ++step) {
     for (std::size_t i = 0; i < cloud.particles.size(); ++i)
       cloud.state.position[i] = cloud.state.position[i] + 2e-3 * cloud.state.velocity[i];
-    contacts.place(cloud.state.position, cloud.particles.radius);
+    contacts.place(cloud.state.position);
     ASSERT_EQ(found(contacts), every_pair_in_contact(cloud)) << "step " << step;
   }
   EXPECT_GT(contacts.list().builds(), 5U) << "the list was made anew";
@@ -48,10 +48,10 @@ TEST(Neighbours, NothingIsMissedUnderMotion) {
 
 TEST(Neighbours, SuddenJumpIsNoticed) {
   Cloud cloud = random_cloud(100, 0.6, 42);
-  ContactPoints contacts(BondLaw{}, 0.03, 0.1);
-  contacts.place(cloud.state.position, cloud.particles.radius);
+  ContactPoints contacts(BondLaw{}, 0.03, cloud.particles);
+  contacts.place(cloud.state.position);
   cloud.state.position[7] = cloud.state.position[50] + Vec3{0.01, 0, 0};
-  contacts.place(cloud.state.position, cloud.particles.radius);
+  contacts.place(cloud.state.position);
   EXPECT_EQ(found(contacts), every_pair_in_contact(cloud));
 }
 
@@ -60,7 +60,7 @@ TEST(Neighbours, ListedPairsPerParticleDoNotGrowWithTheirNumber) {
   const auto pairs_per_particle = [](std::size_t count) {
     const double side = std::cbrt(static_cast<double>(count) * 4 / 3 * std::numbers::pi * 1e-3 / 0.25);
     const auto centres = random_addition({{0, 0, 0}, {side, side, side}}, count, 0.1, 1);
-    NeighbourList list(0.03, 0);
+    NeighbourList list(0.03);
     list.update(centres, std::vector<double>(count, 0.1));
     return static_cast<double>(list.pairs().size()) / static_cast<double>(count);
   };
@@ -72,8 +72,8 @@ TEST(Neighbours, ListedPairsPerParticleDoNotGrowWithTheirNumber) {
 TEST(Neighbours, BondsSurviveNewLists) {
   BondLaw law{.stiffness = 1e6, .exponent = 2, .threshold = 0.05, .rule = BondRule::tension, .rupture = 0.2};
   Cloud cloud = random_cloud(150, 0.5, 43, 1.0);
-  ContactPoints contacts(law, 0.02, 0.1);
-  contacts.place(cloud.state.position, cloud.particles.radius);
+  ContactPoints contacts(law, 0.02, cloud.particles);
+  contacts.place(cloud.state.position);
   contacts.update_bonds();
   // The rule written out for every pair.
   std::set<std::pair<std::size_t, std::size_t>> bonded;
@@ -90,7 +90,7 @@ TEST(Neighbours, BondsSurviveNewLists) {
   for (int step = 0; step < 60; ++step) {
     for (std::size_t i = 0; i < cloud.particles.size(); ++i)
       cloud.state.position[i] = cloud.state.position[i] + 1e-3 * cloud.state.velocity[i];
-    contacts.place(cloud.state.position, cloud.particles.radius);
+    contacts.place(cloud.state.position);
     contacts.update_bonds();
     follow();
     std::set<std::pair<std::size_t, std::size_t>> kept;

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "integrators/detail/run_guard.hpp"
+#include "integrators/detail/driver/run_guard.hpp"
 #include "integrators/registry.hpp"
 #include "integrators/schemes/super_step.hpp"
 #include "integrators/schemes/three_term.hpp"

@@ -21,7 +21,7 @@ OptionKey positive_key(const std::string& name) {
 }
 
 double required(const Options& options, const std::string& key) {
-  if (const auto value = options.number(key)) return *value;
+  if (const auto value = options.given(key)) return *value;
   throw UsageError(fmt::format("--sizes {}: key '{}' is missing", quoted(options.spec().text), key));
 }
 

@@ -19,10 +19,10 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "integrators/method_spec.hpp"
 #include "integrators/press/checkpoint.hpp"
 #include "integrators/press/model_description.hpp"
 #include "integrators/registry.hpp"
-#include "integrators/spec_settings.hpp"
 
 namespace superstep {
 namespace {
@@ -42,7 +42,8 @@ Press with_integrator(Press one, const RunCommand& command, const std::string& s
   if (stepping.thermal_integrator.empty())
     stepping.tolerance_position = stepping.tolerance_temperature = *command.tolerance;
   else
-    stepping.thermal_integrator = with_tolerance(stepping.thermal_integrator, *command.tolerance);
+    stepping.thermal_integrator =
+        MethodSpec(stepping.thermal_integrator).with_tolerance(*command.tolerance).text();
   return one;
 }
 
@@ -231,7 +232,7 @@ int run_into(const Press& one, const RunCommand& command, double cpu_setup, cons
 
 void check_specs_of_press(const std::vector<std::string>& specs) {
   for (const auto& spec : specs)
-    if (spec != "staggered") (void)make_integrator(spec);
+    if (spec != "staggered") (void)MethodSpec(spec);
 }
 
 int run_press(const RunCommand& command, const Press& press, double cpu_setup) {

@@ -4,11 +4,6 @@
 #include <limits>
 
 namespace superstep {
-namespace {
-
-constexpr double default_fraction = 0.9;
-
-}  // namespace
 
 std::vector<OptionKey> critical_step_keys() {
   return {
@@ -39,19 +34,18 @@ std::vector<OptionKey> critical_step_keys() {
   };
 }
 
-CriticalStep::CriticalStep(const Options& options)
-    : radius_(options.word("bound", "certified") == "lanczos") {
+CriticalStep::CriticalStep(const Options& options) : radius_(options.word("bound") == "lanczos") {
   static const std::array<std::string, 3> keys = {"step", "alpha", "fraction"};
   options.at_most_one_of(keys);
-  if (const auto step = options.number("step")) {
+  if (const auto step = options.given("step")) {
     rule_ = Rule::step;
     value_ = *step;
-  } else if (const auto alpha = options.number("alpha")) {
+  } else if (const auto alpha = options.given("alpha")) {
     rule_ = Rule::alpha;
     value_ = *alpha;
   } else {
     rule_ = Rule::fraction;
-    value_ = options.number("fraction").value_or(default_fraction);
+    value_ = options.number("fraction");
   }
 }
 

@@ -35,9 +35,9 @@ std::vector<OptionKey> stabilised_keys(const StabilisedFamily& family, bool two_
 
 Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
     : family_(family),
-      rtol_(options.number("rtol").value_or(1e-4)),
-      fixed_step_(options.number("step").value_or(0.0)),
-      fixed_stages_(options.integer("stages").value_or(0)) {
+      rtol_(options.number("rtol")),
+      fixed_step_(options.given("step").value_or(0)),
+      fixed_stages_(static_cast<int>(options.given("stages").value_or(0))) {
   static const std::array<std::string, 2> one_of = {"rtol", "step"};
   options.at_most_one_of(one_of);
   if (fixed_stages_ == 0) return;

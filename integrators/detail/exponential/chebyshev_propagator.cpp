@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/run_guard.hpp"
+#include "integrators/detail/driver/run_guard.hpp"
 
 namespace superstep {
 namespace {

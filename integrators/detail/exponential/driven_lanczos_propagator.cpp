@@ -9,7 +9,7 @@
 
 #include "core/index.hpp"
 #include "core/parallel.hpp"
-#include "integrators/detail/run_guard.hpp"
+#include "integrators/detail/driver/run_guard.hpp"
 
 namespace superstep {
 namespace {

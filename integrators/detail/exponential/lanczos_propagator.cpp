@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "integrators/detail/driver/run_guard.hpp"
 #include "integrators/detail/krylov/tridiagonal_response.hpp"
-#include "integrators/detail/run_guard.hpp"
 
 namespace superstep {
 namespace {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <utility>
 
+#include "integrators/detail/driver/run_guard.hpp"
 #include "integrators/detail/explicit/spectral_radius.hpp"
 #include "integrators/detail/exponential/chebyshev_exponential.hpp"
-#include "integrators/detail/run_guard.hpp"
 
 namespace superstep {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
-#include "integrators/detail/run_guard.hpp"
+#include "integrators/detail/driver/run_guard.hpp"
 
 namespace superstep {
 namespace {

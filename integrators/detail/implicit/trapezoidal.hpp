@@ -12,10 +12,10 @@
 namespace superstep {
 
 struct TrapezoidalSettings {
-  double phi = 0.5;
-  double rtol = 1e-4;
-  double fixed_step = 0;        ///< s; 0 = controlled
-  std::string solver = "auto";  ///< auto, klu, cholmod, pcg
+  double phi = 0;
+  double rtol = 0;
+  double fixed_step = 0;  ///< s; 0 = controlled
+  std::string solver;     ///< auto, klu, cholmod, pcg
 };
 
 /// What both kinds of solvers share: the first slope, the one before, and Milne's estimate of the error.
@@ -66,8 +66,8 @@ class TrapezoidalNewton final : public Trapezoidal {
 };
 
 struct FixedPointSettings {
-  int iterations = 10;         ///< K_d, iterations wanted in a step
-  int power = 1;               ///< p: 1 for first-order systems; the paper uses 2 for all fields
+  int iterations = 0;          ///< K_d, iterations wanted in a step
+  int power = 0;               ///< p: 1 for first-order systems; the paper uses 2 for all fields
   bool paper_control = false;  ///< the iteration alone rules the step, rtol being the paper's TOL
 };
 

@@ -102,11 +102,24 @@ void list_press_keys(KeyList& keys) {
   list_contact_law(keys, "wall", "force between a particle and a wall");
   keys.in("dynamics", CaseKey::press).table("bond", "hot contacts bond; left out = none do");
   keys.in("dynamics.bond", CaseKey::press);
-  keys.number("stiffness", no_less_than_zero, "N/m2", "of the bond, below that of the contact");
-  keys.number("exponent", {.min = 1}, "", "of the strain").fallback = "2";
-  keys.number("threshold", positive_number, "", "energy at which it forms");
-  keys.text("rule", "where it acts", {"overlap", "tension"}).fallback = "overlap";
-  keys.number("rupture", positive_number, "", "tension: strain at which it breaks").fallback = "0.05";
+  keys.number("stiffness", no_less_than_zero, "N/m2", "of the bond; below that of the contact, or a neck's");
+  keys.number("exponent", {.min = 1}, "", "of the strain; not of a neck").fallback = "2";
+  keys.number("threshold", positive_number, "", "overlap strain at which it forms");
+  keys.text("rule", "where it acts", {"overlap", "tension", "rest-length"}).fallback = "overlap";
+  keys.number("rupture", positive_number, "", "strain at which it breaks").fallback = "0.05, rest-length 0.2";
+  keys.number("softening_temperature", positive_number, "K", "the stiffness falls above").fallback = "none";
+  keys.number("stiffness_floor", no_less_than_zero, "N/m2", "that it falls to").fallback = "0";
+  keys.number("unloading", positive_number, "", "rest-length: strain within which repulsion is lost")
+      .fallback = "0.02";
+  keys.number("damping", no_less_than_zero, "", "rest-length: share of critical").fallback = "0";
+  keys.table("growth", "rest-length: how the neck grows");
+  keys.in("dynamics.bond.growth", CaseKey::press);
+  keys.text("mechanism", "of sintering", {"frenkel", "coble"}).fallback = "frenkel";
+  keys.number("rate", no_less_than_zero, "1/s", "at the reference temperature");
+  keys.number("activation_energy", no_less_than_zero, "J/mol", "of the Arrhenius factor").fallback = "0";
+  keys.number("reference_temperature", positive_number, "K", "of the rate").fallback = "1000";
+  keys.number("sintering_stress", positive_number, "Pa", "pressure of a contact that doubles the rate")
+      .fallback = "none";
   list_phases(keys);
   list_stepping(keys);
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "case/press/read_particles.hpp"
 #include "case/press/read_values.hpp"
 #include "core/error.hpp"
+#include "dynamics/bond_registry.hpp"
 
 namespace superstep::dynamics {
 namespace {
@@ -25,31 +27,89 @@ ContactLaw read_contact(TomlTable table) {
   return law;
 }
 
-BondLaw read_bond(TomlTable table) {
+NeckGrowth read_growth(TomlTable table) {
+  NeckGrowth law;
+  law.mechanism = word_from(table, "mechanism", {"frenkel", "coble"}, "frenkel") == "coble"
+                      ? NeckGrowth::Mechanism::coble
+                      : NeckGrowth::Mechanism::frenkel;
+  law.rate = required_from(table, "rate", 0, "1/s");
+  law.activation = number_from(table, "activation_energy", 0, 0, "J/mol");
+  law.reference = positive_or(table, "reference_temperature", law.reference, "K");
+  law.sintering_stress = positive_or(table, "sintering_stress", law.sintering_stress, "Pa");
+  table.finish();
+  return law;
+}
+
+BondRule read_rule(TomlTable& table) {
+  std::vector<std::string> names;
+  for (const auto& kind : bond_kinds()) names.emplace_back(kind.name);
+  const std::string name = word_from(table, "rule", names, "overlap");
+  return bond_kinds()[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())]
+      .rule;
+}
+
+BondLaw read_bond(TomlTable& table) {
   BondLaw law;
+  law.rule = read_rule(table);
+  const bool neck = law.rule == BondRule::rest_length;
+  const auto only = [&](std::initializer_list<const char*> keys, bool allowed, const char* why) {
+    for (const char* key : keys)
+      if (const auto value = table.find(key); value && !allowed) value->reject(why);
+  };
+  only({"unloading", "damping", "growth"}, neck,
+       "bonds of this rule have no neck; remove it, or take rule = \"rest-length\"");
+  only({"exponent"}, !neck, "a neck pulls linearly; remove it, or take another rule");
+  only({"rupture"}, law.rule != BondRule::overlap,
+       "a bond that acts in overlap only cannot rupture; remove it, or take rule = \"tension\"");
   law.stiffness = required_from(table, "stiffness", 0, "N/m2");
   law.exponent = number_from(table, "exponent", 1, law.exponent, "-");
   law.threshold = table.positive("threshold", "-");
-  law.rule = word_from(table, "rule", {"overlap", "tension"}, "overlap") == "tension" ? BondRule::tension
-                                                                                      : BondRule::overlap;
-  const auto rupture = table.find("rupture");
-  if (rupture && law.rule == BondRule::overlap)
-    rupture->reject("a bond that acts in overlap only cannot rupture; remove it, or take rule = \"tension\"");
-  if (rupture) law.rupture = table.positive("rupture", "-");
+  law.softening.temperature = positive_or(table, "softening_temperature", law.softening.temperature, "K");
+  law.softening.floor = number_from(table, "stiffness_floor", 0, 0, "N/m2");
+  constexpr double usual_rupture = 0.2;  // of a neck, from the length that it has grown at
+  law.rupture = positive_or(table, "rupture", neck ? usual_rupture : law.rupture, "-");
+  if (!neck) return law;
+  law.unloading = positive_or(table, "unloading", law.unloading, "-");
+  law.damping = number_from(table, "damping", 0, 0, "-");
+  law.growth = read_growth(table_from(table, "growth", "how the neck grows: mechanism and rate"));
+  if (!(law.unloading <= 0.5 * law.rupture))
+    table.require(table.find("unloading") ? "unloading" : "rupture", "")
+        .reject(fmt::format("the unloading strain {} must be at most half the rupture strain {}",
+                            law.unloading, law.rupture));
   return law;
+}
+
+/// Largest stiffness that a bond has, over that of the contact, at any temperature: both fall in straight
+/// lines to their floors, so that the corners and the coldest are enough.
+double strongest_pull(const BondLaw& bond, const ContactLaw& contact) {
+  const auto corner = [](double stiffness, const Softening& softening) {
+    return stiffness > softening.floor ? softening.temperature * (1 - softening.floor / stiffness) : 0.0;
+  };
+  double largest = 0;
+  for (const double temperature :
+       {0.0, corner(bond.stiffness, bond.softening), corner(contact.stiffness, contact.softening)}) {
+    if (!std::isfinite(temperature)) continue;
+    const double pull = softened(bond.stiffness, bond.softening, temperature),
+                 push = softened(contact.stiffness, contact.softening, temperature);
+    largest = std::max(largest, push > 0   ? pull / push
+                                : pull > 0 ? std::numeric_limits<double>::infinity()
+                                           : 0);
+  }
+  return largest;
 }
 
 /// Where a bond pulls harder than the contact pushes at every overlap there is, nothing stops two particles
 /// on their way into each other, and the speed that they gain is without bound.
 void require_bounded_attraction(TomlTable& bond, const BondLaw& law, const ContactLaw& contact) {
+  // A neck pulls to the length that it has grown at, and no further.
+  if (!law.acts() || law.rule == BondRule::rest_length || strongest_pull(law, contact) < 1) return;
   const bool softens = std::isfinite(contact.softening.temperature);
   const double softest = softens ? std::min(contact.softening.floor, contact.stiffness) : contact.stiffness;
-  if (law.stiffness < softest || law.stiffness == 0) return;
   bond.require("stiffness", "")
-      .reject(fmt::format(
-          "it must be below {} N/m2, the {} of [dynamics.contact]: a bond that pulls harder than the contact "
-          "pushes draws its particles into each other",
-          softest, softens ? "stiffness_floor of hot contacts" : "stiffness"));
+      .reject(fmt::format("it must be below {} N/m2, the {} of [dynamics.contact], or soften with it: a bond "
+                          "that pulls harder "
+                          "than the contact pushes draws its particles into each other",
+                          softest, softens ? "stiffness_floor of hot contacts" : "stiffness"));
 }
 
 void read_wall_temperatures(TomlTable& table, ThermalLaw& law) {

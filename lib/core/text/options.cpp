@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "core/text/number.hpp"
@@ -97,7 +98,10 @@ std::string OptionKey::range() const {
 
 Options::Options(Spec spec, std::span<const OptionKey> keys) : spec_(std::move(spec)) {
   std::vector<std::string> names;
-  for (const auto& key : keys) names.push_back(key.name);
+  for (const auto& key : keys) {
+    names.push_back(key.name);
+    if (!key.fallback.empty()) defaults_.emplace_back(key.name, key.fallback);
+  }
   for (const auto& [given, value] : spec_.settings) {
     const std::string& name = given;  // a lambda may not capture half of a pair
     const auto key =
@@ -119,20 +123,26 @@ bool Options::has(const std::string& key) const {
   return find(key) != nullptr;
 }
 
-std::optional<double> Options::number(const std::string& key) const {
+std::optional<double> Options::given(const std::string& key) const {
   const auto* value = find(key);
   return value ? parse_number(*value) : std::nullopt;
 }
 
-std::optional<int> Options::integer(const std::string& key) const {
-  const auto* value = find(key);
-  const auto parsed = value ? parse_integer(*value) : std::nullopt;
-  return parsed ? std::optional<int>(static_cast<int>(*parsed)) : std::nullopt;
+double Options::number(const std::string& key) const {
+  const auto value = parse_number(word(key));
+  if (!value) throw std::logic_error(fmt::format("{}: {} has no number by default", spec_.name, key));
+  return *value;
 }
 
-std::string Options::word(const std::string& key, const std::string& fallback) const {
-  const auto* value = find(key);
-  return value && !parse_number(*value) ? *value : fallback;
+int Options::integer(const std::string& key) const {
+  return static_cast<int>(number(key));  // checked: a whole number in the range of the table
+}
+
+const std::string& Options::word(const std::string& key) const {
+  if (const auto* value = find(key)) return *value;
+  for (const auto& [name, value] : defaults_)
+    if (name == key) return value;
+  throw std::logic_error(fmt::format("{}: {} has no default", spec_.name, key));
 }
 
 void Options::at_most_one_of(std::span<const std::string> keys) const {

@@ -48,12 +48,14 @@ class Options {
   /// name.
   Options(Spec spec, std::span<const OptionKey> keys);
 
+  /// Whether the user gave the key.
   [[nodiscard]] bool has(const std::string& key) const;
-  /// Number of a number or integer key; empty when not given or given as a word.
-  [[nodiscard]] std::optional<double> number(const std::string& key) const;
-  [[nodiscard]] std::optional<int> integer(const std::string& key) const;
-  /// Word of a word key, or of a number key that also takes words; `fallback` when not given.
-  [[nodiscard]] std::string word(const std::string& key, const std::string& fallback) const;
+  /// Value of a key: the user's, else the default of the table. Throws std::logic_error where that is none.
+  [[nodiscard]] double number(const std::string& key) const;
+  [[nodiscard]] int integer(const std::string& key) const;
+  [[nodiscard]] const std::string& word(const std::string& key) const;
+  /// Number that the user gave; empty when the key was left out or given as a word.
+  [[nodiscard]] std::optional<double> given(const std::string& key) const;
   /// Throws UsageError when more than one of `keys` is given.
   void at_most_one_of(std::span<const std::string> keys) const;
   [[nodiscard]] const Spec& spec() const noexcept { return spec_; }
@@ -61,6 +63,7 @@ class Options {
  private:
   [[nodiscard]] const std::string* find(const std::string& key) const;
   Spec spec_;
+  std::vector<std::pair<std::string, std::string>> defaults_;
 };
 
 }  // namespace superstep

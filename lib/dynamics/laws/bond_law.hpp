@@ -1,49 +1,62 @@
 #pragma once
-/// Adhesion between particles that were pressed together hard enough.
+/// Adhesion between particles that were pressed together hard enough: what all bond laws have in common.
 
-#include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <limits>
 
-#include "dynamics/laws/strain_power.hpp"
+#include "dynamics/laws/neck_growth.hpp"
+#include "dynamics/laws/softening.hpp"
 
 namespace superstep::dynamics {
 
-/// When a bond acts.
+/// When and how a bond acts: one file each in `bonds/`.
 enum class BondRule : char {
-  overlap,  ///< as printed: while |E| >= E* (in overlap only)
-  tension,  ///< once |E| >= E* was reached, until the pair is torn further apart than the rupture strain
+  overlap,      ///< as printed: while |E| >= E* (in overlap only)
+  tension,      ///< once |E| >= E* was reached, until the pair is torn further apart than the rupture strain
+  rest_length,  ///< a neck with a length of its own, which grows
 };
 
 struct BondLaw {
   double stiffness = 0;  ///< K_b [N/m2]; 0 = there are no bonds
-  double exponent = 2;   ///< p_b, >= 1
+  double exponent = 2;   ///< p_b, >= 1; overlap and tension
   /// E*: overlap strain at which a bond forms; the paper prints no value. Infinity = never.
   double threshold = std::numeric_limits<double>::infinity();
   BondRule rule = BondRule::overlap;
-  double rupture = 0.05;  ///< tension rule: strain E > 0 at which the bond breaks
+  /// Tension: strain E > 0 at which the bond breaks; rest length: strain beyond its own at which it does.
+  double rupture = 0.05;
+  Softening softening = {};  ///< of the stiffness, K_b(T)
+  double unloading = 0.02;   ///< rest length: strain below the largest overlap within which repulsion is lost
+  double damping = 0;        ///< rest length: share of critical damping of the neck
+  NeckGrowth growth = {};    ///< rest length
 
-  /// Largest strain at which a bond can still act: how far the neighbour search has to see.
-  [[nodiscard]] double reach() const noexcept {
-    return stiffness > 0 && rule == BondRule::tension ? rupture : 0.0;
-  }
+  [[nodiscard]] bool acts() const noexcept { return stiffness > 0; }
 };
 
-/// Size of the attractive force K_b |E|^p_b A [N] of an acting bond. Source: Zohdi (2014), eq. 19.
-///   area [m2]  of the contact; of the bond where the pair has come apart (E > 0)
-[[nodiscard]] inline double bond_force(const BondLaw& law, double strain, double area) noexcept {
-  return law.stiffness * strain_power(std::abs(strain), law.exponent) * area;
-}
+/// A pair at one instant, as its bond sees it.
+struct BondedPair {
+  double strain;        ///< E, < 0 in overlap
+  double temperature;   ///< mean of the two [K]
+  double pressure;      ///< of the contact, K(T) |E|^p [Pa]; 0 without overlap
+  double mobility;      ///< product of the two Arrhenius roots
+  double contact_area;  ///< m2; 0 without overlap
+  double bond_area;     ///< of the contact at the largest overlap that the bond has seen [m2]
+  double radius_sum;    ///< m
+  double reduced_mass;  ///< kg
+};
 
-/// Area [m2] that the bond of a pair has after a step; 0 = none.
-///   bonded [m2]  what it was before
-///   strain, area  of the pair now; area is 0 where the pair has come apart
-[[nodiscard]] inline double bond_after_step(const BondLaw& law, double bonded, double strain,
-                                            double area) noexcept {
-  const bool forms = -strain >= law.threshold;
-  if (law.rule == BondRule::overlap) return forms ? area : 0.0;
-  if (forms) return std::max(bonded, area);
-  return strain > law.rupture ? 0.0 : bonded;
-}
+/// What a bond remembers.
+struct BondMemory {
+  double overlap = 0;  ///< largest -E since it formed
+  double growth = 0;   ///< u of its neck
+};
+
+/// What a bond does at one instant.
+struct BondAction {
+  double keep = 1;     ///< part of the contact's repulsion, damping and friction that is left
+  double pull = 0;     ///< attraction [N]
+  double damping = 0;  ///< of the normal motion [kg/s]
+  double area = 0;     ///< through which heat and current flow [m2]
+  double slope = 0;    ///< bound of what the bond adds to the slope of the force [N/m]
+};
 
 }  // namespace superstep::dynamics

@@ -29,14 +29,18 @@ struct ContactLaw {
   return (distance - radius_sum) / radius_sum;
 }
 
-/// Area of the circle in which two spheres intersect [m2]. Source: Zohdi (2014), eqs 7-12. Once its plane has
-/// passed the centre of the smaller sphere the circle would shrink again; the area then stays pi r^2 of that
-/// sphere, so that the force does not let go.
+/// Area of the circle in which two spheres of squared radii [m2] intersect [m2]. Source: Zohdi (2014), eqs
+/// 7-12. Once its plane has passed the centre of the smaller sphere the circle would shrink again; the area
+/// then stays pi r^2 of that sphere, so that the force does not let go.
+[[nodiscard]] inline double circle_area(double distance, double square_i, double square_j) noexcept {
+  const double to_plane = 0.5 * (distance - (square_j - square_i) / distance);
+  if (to_plane <= 0) return std::numbers::pi * square_i;
+  if (to_plane >= distance) return std::numbers::pi * square_j;
+  return std::numbers::pi * std::max(square_i - to_plane * to_plane, 0.0);
+}
+/// The same of radii.
 [[nodiscard]] inline double pair_area(double distance, double r_i, double r_j) noexcept {
-  const double to_plane = 0.5 * (distance - (r_j * r_j - r_i * r_i) / distance);
-  if (to_plane <= 0) return std::numbers::pi * r_i * r_i;
-  if (to_plane >= distance) return std::numbers::pi * r_j * r_j;
-  return std::numbers::pi * std::max(r_i * r_i - to_plane * to_plane, 0.0);
+  return circle_area(distance, r_i * r_i, r_j * r_j);
 }
 
 /// Size of the repulsive force K(T) |E|^p A [N]; E < 0, T = mean of the pair [K].

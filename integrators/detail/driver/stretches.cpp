@@ -1,6 +1,6 @@
 /// The loop's part for propagators: instants of smooth stretches.
 
-#include "integrators/driver.hpp"
+#include "integrators/detail/driver/driver.hpp"
 
 namespace superstep {
 namespace {
@@ -10,7 +10,7 @@ constexpr std::size_t recorded_per_output = 64;  // instants between two output 
 }  // namespace
 
 /// Output times of the stretch that begins now, its end, and what a history wants between them.
-void Integrator::list_instants() {
+void Driver::list_instants() {
   instants_.clear();
   next_instant_ = 0;
   const double end = piece_end();
@@ -27,7 +27,7 @@ void Integrator::list_instants() {
   if (before < end && next_breakpoint_ < rhs_->facts().breakpoints.size()) add(end, true);
 }
 
-Outcome Integrator::propagate_to(double target) {
+Outcome Driver::propagate_to(double target) {
   while (t_ < target) {
     const auto& instant = instants_[next_instant_];
     if (Outcome outcome = propagator_->advance(next_instant_); !outcome.ok()) return outcome;

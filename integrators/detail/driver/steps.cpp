@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "integrators/detail/driver/driver.hpp"
 #include "integrators/detail/error_norm.hpp"
-#include "integrators/driver.hpp"
 
 namespace superstep {
 namespace {
@@ -20,13 +20,13 @@ constexpr double most_own_steps = 1e12;
 
 }  // namespace
 
-Outcome Integrator::step_to(double target) {
+Outcome Driver::step_to(double target) {
   using Pace = OneStepMethod::Pace;
   const bool own = stepper_->pace() == Pace::multiples || stepper_->pace() == Pace::equal;
   return own ? take_own_steps(target) : take_controlled_steps(target);
 }
 
-Outcome Integrator::take_own_steps(double target) {
+Outcome Driver::take_own_steps(double target) {
   const bool varies = stepper_->stability_varies();
   while (t_ < target) {
     if (lattice_.target != target || varies) {
@@ -65,7 +65,7 @@ Outcome Integrator::take_own_steps(double target) {
   return {};
 }
 
-Integrator::Look Integrator::try_step(const Step& step) {
+Driver::Look Driver::try_step(const Step& step) {
   Look look;
   look.trial = stepper_->attempt(step, state_, next_);
   if (!look.trial.solved) return look;
@@ -84,7 +84,7 @@ Integrator::Look Integrator::try_step(const Step& step) {
   return look;
 }
 
-Outcome Integrator::cannot_shrink(double h, const Look& look) const {
+Outcome Driver::cannot_shrink(double h, const Look& look) const {
   const std::string at = fmt::format(" at t = {:.6g} s with a step of {:.3g} s", t_, h);
   if (!look.trial.solved) return {Status::failed, look.trial.reason + at};
   if (!look.lawful) return {Status::failed, lawless_why_ + at};
@@ -92,21 +92,21 @@ Outcome Integrator::cannot_shrink(double h, const Look& look) const {
           fmt::format("errors grow{}: the state at its end allows {:.3g} s", at, look.limit)};
 }
 
-Outcome Integrator::too_short(std::string why) const {
+Outcome Driver::too_short(std::string why) const {
   constexpr std::uint64_t recent = 100;  // steps
   const bool by_law = lawless_ > 0 && counted_.steps <= lawless_step_ + recent;
   if (by_law) why = fmt::format("at t = {:.6g} s {}", t_, lawless_why_);
   return {Status::failed, std::move(why)};
 }
 
-void Integrator::accept(const Step& step) {
+void Driver::accept(const Step& step) {
   std::swap(state_, next_);
   counted_.steps += step.ends.size();
   t_ = step.ends.back();
   stepper_->accept(step, state_);
 }
 
-Outcome Integrator::after_step() {
+Outcome Driver::after_step() {
   if (recorder_.history()) {
     complete_state();
     recorder_.record(t_, state());
@@ -120,7 +120,7 @@ Outcome Integrator::after_step() {
 }
 
 /// The step that the error allows is kept; the one taken is shortened to land.
-double Integrator::landing(double step, double limit, double target) const {
+double Driver::landing(double step, double limit, double target) const {
   const double remaining = target - t_;
   if (stepper_->worth_changing() > 1) return step >= remaining * (1 - 1e-10) ? remaining : step;
   const double stretched = std::min(limit, stepper_->convenient(step, limit));
@@ -128,7 +128,7 @@ double Integrator::landing(double step, double limit, double target) const {
   return stretched > 0.5 * remaining ? 0.5 * remaining : stretched;
 }
 
-Outcome Integrator::take_controlled_steps(double target) {
+Outcome Driver::take_controlled_steps(double target) {
   constexpr int most_rejections = 100;
   int rejected = 0;
   while (t_ < target) {
@@ -186,7 +186,7 @@ Outcome Integrator::take_controlled_steps(double target) {
 
 /// Tries a short Euler step and looks at how fast the derivative turns.
 /// Source: Sommeijer, Shampine & Verwer (1998), doi:10.1016/S0377-0427(97)00219-7, section 2.3.
-double Integrator::first_step(double largest) {
+double Driver::first_step(double largest) {
   const double wish = stepper_->own_step(t_, state_);
   if (stepper_->pace() == OneStepMethod::Pace::method) return std::min(wish, largest);
   ErrorNorm norm;

@@ -1,4 +1,4 @@
-#include "integrators/detail/settling.hpp"
+#include "integrators/detail/driver/settling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "integrators/detail/run_guard.hpp"
+#include "integrators/detail/driver/run_guard.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,8 @@ Outcome RunGuard::check(double t, std::span<const double> y, const Rhs& rhs) con
           fmt::format(
               "at t = {:.6g} s the {} of a node is {:.6g} {}, while initial and fixed values, surroundings "
               "and sources allow {:.6g} to {:.6g}: errors grow; take a smaller step",
-              t, fields[f].name, y[i], fields[f].unit, range.low, range.high)};
+              t, fields[f].name, y[i] + fields[f].origin, fields[f].unit, range.low + fields[f].origin,
+              range.high + fields[f].origin)};
     }
   }
   return {};

@@ -1,0 +1,18 @@
+#pragma once
+/// Loops over contacts in vector registers.
+
+#include <cstddef>
+
+/// Also compiled for AVX2, chosen when the program starts. Without FMA, so that both give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define SUPERSTEP_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define SUPERSTEP_CLONES
+#endif
+
+namespace superstep::dynamics {
+
+/// What is gathered at a time: it stays in the first cache.
+inline constexpr std::size_t pairs_per_block = 128;
+
+}  // namespace superstep::dynamics

@@ -1,0 +1,128 @@
+/// The parts of the exponential: Bessel coefficients, responses of a tridiagonal matrix, the bound of a
+/// residual.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "integrators/detail/exponential/chebyshev_exponential.hpp"
+#include "integrators/detail/krylov/residual_bound.hpp"
+#include "integrators/detail/krylov/tridiagonal_response.hpp"
+
+namespace superstep {
+namespace {
+
+TEST(ExponentialCoefficients, AreScaledBesselFunctions) {
+  for (const double z : {1e-3, 0.5, 5.0, 80.0, 600.0}) {
+    const auto c = exponential_coefficients(z, 1e-16);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      const double expected = (k == 0 ? 1 : 2) * std::cyl_bessel_i(static_cast<double>(k), z) * std::exp(-z);
+      EXPECT_NEAR(c[k], expected, 1e-13) << z << ' ' << k;
+    }
+  }
+}
+
+TEST(ExponentialCoefficients, ReproduceTheExponentialUpToTheirTolerance) {
+  for (const double z : {0.1, 3.0, 1e3, 1e5})
+    for (const double tolerance : {1e-2, 1e-6, 1e-12}) {
+      const auto c = exponential_coefficients(z, tolerance);
+      EXPECT_NEAR(std::accumulate(c.begin(), c.end(), 0.0), 1, 1e-12);
+      for (const double x : {-1.0, -0.3, 0.0, 0.9, 0.9999, 1.0}) {
+        double sum = 0;
+        const double angle = std::acos(x);
+        for (std::size_t k = 0; k < c.size(); ++k) sum += c[k] * std::cos(static_cast<double>(k) * angle);
+        EXPECT_NEAR(sum, std::exp(-z * (1 - x)), 2 * tolerance + 1e-13) << z << ' ' << tolerance << ' ' << x;
+      }
+    }
+}
+
+TEST(TridiagonalResponse, SolvesASmallSystem) {
+  const double alpha[] = {2.0, 3.0}, beta[] = {0.5};
+  const double times[] = {0.7};
+  const auto response = tridiagonal_responses(alpha, beta, times).front();
+  // y' = e_1 - T y by many small Runge-Kutta steps
+  double a = 0, b = 0, sum = 0;
+  constexpr int steps = 20'000;
+  const double h = 0.7 / steps;
+  for (int k = 0; k < steps; ++k) {
+    const auto da = [](double p, double q) { return 1 - 2 * p - 0.5 * q; };
+    const auto db = [](double p, double q) { return -0.5 * p - 3 * q; };
+    const double ma = a + h / 2 * da(a, b), mb = b + h / 2 * db(a, b);
+    a += h * da(ma, mb);
+    b += h * db(ma, mb);
+    sum += h * ma;  // by midpoints, of order two
+  }
+  EXPECT_NEAR(response.value[0], a, 1e-9);
+  EXPECT_NEAR(response.value[1], b, 1e-9);
+  EXPECT_NEAR(response.integral[0], sum, 1e-9);
+}
+
+/// With T = diag(l) the answers are known: (1 - exp(-l t))/l, and its integral (t - value)/l.
+TEST(TridiagonalResponse, IsExactForAllTimesAndRates) {
+  std::vector<double> alpha, times;
+  for (double rate = 0; rate < 1e14; rate = rate == 0 ? 1e-6 : 10 * rate) alpha.push_back(rate);
+  for (double t = 1e-9; t < 1e3; t *= 3) times.push_back(t);
+  const std::vector<double> beta(alpha.size() - 1, 0.0);
+  for (std::size_t first = 0; first < alpha.size(); ++first) {  // e_1 is the only entry that moves
+    std::swap(alpha[0], alpha[first]);
+    const auto responses = tridiagonal_responses(alpha, beta, times);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      const double t = times[k], rate = alpha[0];
+      const double value = rate > 0 ? -std::expm1(-rate * t) / rate : t;
+      EXPECT_NEAR(responses[k].value[0], value, 1e-11 * value) << rate << ' ' << t;  // as stated
+      EXPECT_EQ(responses[k].value[1], 0);
+    }
+    std::swap(alpha[0], alpha[first]);
+  }
+}
+
+TEST(ResidualBound, BoundsTheIntegralWithoutBeingFarOff) {
+  // The matrix of a rod: alpha = 2, beta = 1, from the first entry on; few rows for long times and many for
+  // short ones.
+  for (const std::size_t rows : {2, 5, 20, 80})
+    for (const double t : {0.5, 5.0, 50.0, 500.0}) {
+      ResidualBound bound(t);
+      for (std::size_t j = 0; j < rows; ++j) bound.add_row(2, 1);
+      const std::vector<double> alpha(rows, 2.0), beta(rows - 1, 1.0);
+      const double times[] = {t};
+      const double exact = std::abs(tridiagonal_responses(alpha, beta, times).front().integral.back());
+      const double found = std::exp(bound.log_integral(t));
+      if (exact < 1e-10) continue;  // known to rounding only
+      EXPECT_GE(found, 0.999 * exact) << rows << ' ' << t;
+      EXPECT_LT(found, 30 * exact) << rows << ' '
+                                   << t;  // a Chernoff bound: within the root of the row number
+    }
+}
+
+TEST(TridiagonalResponse, AddsUpWhatAnInputDoes) {
+  const double alpha[] = {2.0, 3.0, 1.0}, beta[] = {0.5, 0.25};
+  // q jumps to 1 at t = 0, rises by 2 a second from 0.5 on, falls to 0.2 at 0.9 and stays; looked at
+  // from 1.2.
+  const TridiagonalInput inputs[] = {{.since = 0.3, .jump = 0.2 - 1.8, .kink = -2},
+                                     {.since = 0.7, .jump = 0, .kink = 2},
+                                     {.since = 1.2, .jump = 1}};
+  const auto response = tridiagonal_response(alpha, beta, inputs);
+  double y[3] = {}, sum[3] = {};
+  constexpr int steps = 120'000;
+  const double h = 1.2 / steps;
+  for (int k = 0; k < steps; ++k) {
+    const double t = (k + 0.5) * h, q = t < 0.5 ? 1 : t < 0.9 ? 1 + 2 * (t - 0.5) : 0.2;
+    const auto rate = [&](const double* v, int j) {
+      return (j == 0 ? q : 0) - alpha[j] * v[j] - (j > 0 ? beta[j - 1] * v[j - 1] : 0) -
+             (j < 2 ? beta[j] * v[j + 1] : 0);
+    };
+    double middle[3];
+    for (int j = 0; j < 3; ++j) middle[j] = y[j] + h / 2 * rate(y, j);
+    double next[3];
+    for (int j = 0; j < 3; ++j) next[j] = y[j] + h * rate(middle, j);
+    for (int j = 0; j < 3; ++j) sum[j] += h * middle[j], y[j] = next[j];
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_NEAR(response.value[j], y[j], 1e-8) << j;
+    EXPECT_NEAR(response.integral[j], sum[j], 1e-8) << j;
+  }
+}
+
+}  // namespace
+}  // namespace superstep
