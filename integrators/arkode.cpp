@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/error.hpp"
@@ -160,6 +161,12 @@ Outcome ArkodeRungeKutta::advance(std::size_t k) {
   if (stop_ != t_out) {
     check_sundials(ARKStepSetStopTime(arkode_.get(), t_out), "setting the stop time");
     stop_ = t_out;
+  }
+  // The package does not begin what ends within rounding: breakpoints and outputs may lie so close.
+  if (constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+      t_out - t_ <= roundings * std::max(std::abs(t_), std::abs(t_out))) {
+    t_ = t_out;
+    return {};
   }
   const double begin = t_;
   const int flag = ARKStepEvolve(arkode_.get(), t_out, y_.get(), &t_, ARK_ONE_STEP);

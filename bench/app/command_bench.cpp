@@ -11,6 +11,7 @@
 #include "bench/app/observation_files.hpp"
 #include "bench/app/press/press_commands.hpp"
 #include "bench/app/report_file.hpp"
+#include "bench/harness/instructions.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/host/machine.hpp"
 #include "bench/output/output_folder.hpp"
@@ -139,12 +140,15 @@ Command from_line(const Arguments& values) {
   if (values.work_precision) return make_work_precision(values);
   BenchCommand command;
   take(values, command, command.harness, command.harness.repetitions);
+  command.harness.count_instructions = values.instructions;
   return command;
 }
 
 }  // namespace
 
 int execute(const BenchCommand& command) {
+  if (command.harness.count_instructions && valgrind_version().empty())
+    throw UsageError("bench: --instructions needs Valgrind; install it (apt-get install valgrind)");
   const auto cases = load_all(command);
   const std::string folder = output_folder(command, cases);
   const OutputFolder locked(folder);
@@ -156,6 +160,7 @@ int execute(const BenchCommand& command) {
   catch_interrupts();
 
   BenchReport report = empty_report(command);
+  if (options.count_instructions) report.machine.push_back({"callgrind", counter_facts()});
   for (const auto& one : cases) {
     if (stop_flag()) break;
     report.cases.push_back(
@@ -207,6 +212,8 @@ CommandEntry bench_command() {
             "SPEC"},
            time_limit_option(fmt::format("{:g}", usual_time_limit)),
            max_work_option(),
+           {"--instructions", &Arguments::instructions,
+            "count the instructions of each method's stepping as well, under Valgrind", ""},
            {"--work-precision", &Arguments::work_precision,
             "sweep every method over tolerances and steps; say who is fastest at each error", ""},
            {"--corpus", &Arguments::corpus,

@@ -114,6 +114,7 @@ int execute(const CorpusCommand& command) {
   options.threads = command.common.threads;
   options.stop = &stop_flag();
   options.limits.seconds = time_limit_of(command);
+  options.limits.of_cpu = true;
   catch_interrupts();
 
   for (std::size_t k = 0; k < files.size() && !stop_flag(); ++k) {

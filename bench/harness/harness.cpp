@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "bench/harness/instructions.hpp"
 #include "bench/harness/observations.hpp"
 #include "bench/harness/verification.hpp"
 #include "bench/host/machine.hpp"
@@ -53,6 +54,8 @@ class CaseBench {
     find_reference(out);
     for (auto& contender : contenders_) verify_one(contender);
     for (auto& contender : contenders_) warm_up(contender);
+    if (options_.count_instructions)
+      for (auto& contender : contenders_) count(contender, out);
     timing_began_ = wall_seconds();
     for (int round = 0; round < options_.repetitions; ++round) time_round(static_cast<std::size_t>(round));
     finish(out);
@@ -69,6 +72,7 @@ class CaseBench {
   }
   void verify_one(Contender& contender);
   void warm_up(Contender& contender);
+  void count(Contender& contender, BenchCase& out);
   void time_round(std::size_t round);
   void time_one(Contender& contender);
   void compare_as_published();
@@ -202,6 +206,17 @@ void CaseBench::warm_up(Contender& contender) {
   row.peak_memory_mb = peak_memory_megabytes();
   contender.time_per_sweep = run.statistics.time_per_sweep;
   if (contender.outcome.ok() && !run.outcome.ok()) fail(contender, run.outcome);
+}
+
+void CaseBench::count(Contender& contender, BenchCase& out) {
+  if (stopped() || !contender.verified || !is_timed(contender.outcome)) return;
+  progress_.begin_timed("counting instructions of " + position(contender));
+  const auto counted = count_instructions(program_file(), scene_.file, contender.row.spec);
+  progress_.end();
+  contender.row.instructions = counted.instructions;
+  if (!counted.instructions && !stopped())
+    out.warnings.push_back(
+        fmt::format("{}: no instructions are counted: {}", contender.row.spec, counted.reason));
 }
 
 void CaseBench::time_round(std::size_t round) {

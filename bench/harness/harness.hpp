@@ -25,6 +25,7 @@ struct HarnessOptions {
   std::string reference;  ///< SPEC; empty = as the scene needs; "none" = errors are not measured
   bool use_cache = true;
   int repetitions = 3;                            ///< timed runs of each method, >= 1
+  bool count_instructions = false;                ///< under callgrind, in processes of their own
   int threads = 1;                                ///< recorded beside the timings
   std::optional<SampledMeasure> sampled;          ///< rule of a published table; empty = nothing is published
   RunLimits limits{.seconds = usual_time_limit};  ///< of each method in each repetition

@@ -62,7 +62,7 @@ void compare_with_baseline(BenchCase& one) {
 
 RunLimits limits_of_reference(const RunLimits& limits) {
   constexpr double longer = 10;  // tight tolerances, twice
-  return {.seconds = longer * limits.seconds, .sweeps = 0, .say = limits.say};
+  return {.seconds = longer * limits.seconds, .of_cpu = limits.of_cpu, .sweeps = 0, .say = limits.say};
 }
 
 std::vector<std::size_t> round_order(std::size_t n, std::size_t round) {

@@ -13,8 +13,12 @@ constexpr auto interval = std::chrono::milliseconds(50);
 
 }  // namespace
 
-Watchdog::Watchdog(double seconds, const std::atomic<bool>* stop)
-    : limit_(seconds), began_(wall_seconds()), stop_(stop), flag_(stop && stop->load()) {
+Watchdog::Watchdog(double seconds, const std::atomic<bool>* stop, bool of_cpu)
+    : limit_(seconds),
+      of_cpu_(of_cpu),
+      began_(of_cpu ? process_cpu_seconds() : wall_seconds()),
+      stop_(stop),
+      flag_(stop && stop->load()) {
   try {
     thread_ = std::jthread([this](const std::stop_token& quit) { watch(quit); });
   } catch (const std::system_error&) {  // no thread to be had: the run goes on unwatched
@@ -34,12 +38,16 @@ void Watchdog::look_after(double delay, std::function<void(double)> look) {
   look_ = std::move(look);
 }
 
+double Watchdog::spent() const noexcept {
+  return (of_cpu_ ? process_cpu_seconds() : wall_seconds()) - began_;
+}
+
 void Watchdog::watch(const std::stop_token& quit) {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, quit, interval, [&] { return quit.stop_requested(); })) {
     const double now = wall_seconds();
     if (stop_ && stop_->load(std::memory_order_relaxed)) flag_ = true;
-    if (limit_ > 0 && now - began_ > limit_ && !flag_) {
+    if (limit_ > 0 && spent() > limit_ && !flag_) {
       time_is_up_ = true;
       flag_ = true;
     }

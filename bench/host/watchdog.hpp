@@ -13,8 +13,9 @@ class Watchdog {
  public:
   /// Watches from now on.
   ///   seconds  after which `flag` is set; 0 = never
+  ///   of_cpu   they are CPU time of the process, so that a busy machine makes no run late
   ///   stop     sets `flag` as well; may be null
-  Watchdog(double seconds, const std::atomic<bool>* stop);
+  Watchdog(double seconds, const std::atomic<bool>* stop, bool of_cpu = false);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
@@ -29,7 +30,11 @@ class Watchdog {
  private:
   void watch(const std::stop_token& quit);
 
-  double limit_, began_;
+  [[nodiscard]] double spent() const noexcept;  // of what is limited [s]
+
+  double limit_;
+  bool of_cpu_;
+  double began_;
   const std::atomic<bool>* stop_;
   std::atomic<bool> flag_{false}, time_is_up_{false};
   std::mutex mutex_;

@@ -9,6 +9,7 @@ namespace superstep {
 
 struct RunLimits {
   double seconds = 0;        ///< wall time of one run, preparation included; 0 = no limit
+  bool of_cpu = false;       ///< the seconds are CPU time
   std::uint64_t sweeps = 0;  ///< passes over the network; 0 = no limit
   /// Told, once and from another thread, what a run that will last will need; empty = nobody is.
   std::function<void(const std::string& forecast)> say = {};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/host/watchdog.hpp"
+#include "bench/measure/counted.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "rhs/one_way.hpp"
@@ -42,7 +43,10 @@ std::string faster_method(Rhs& rhs, const MethodSpec& spec) {
 class Watch {
  public:
   Watch(const Scene& scene, const MethodSpec& spec, const RunRequest& request)
-      : scene_(scene), spec_(spec), request_(request), dog_(request.limits.seconds, request.stop) {
+      : scene_(scene),
+        spec_(spec),
+        request_(request),
+        dog_(request.limits.seconds, request.stop, request.limits.of_cpu) {
     if (request.progress && request.progress->watched()) reached_ = request.progress->watched();
   }
 
@@ -59,9 +63,10 @@ class Watch {
   /// A run that was stopped by us, and not by the user, has run out of time.
   [[nodiscard]] Outcome judged(Outcome outcome) const {
     if (outcome.status != Status::interrupted || !dog_.time_is_up()) return outcome;
-    return {Status::timeout, fmt::format("not done after {:g} s of wall time: {}; allow it more with "
-                                         "--time-limit, or take another method",
-                                         request_.limits.seconds, outcome.reason)};
+    return {Status::timeout,
+            fmt::format("not done after {:g} s of {} time: {}; allow it more with "
+                        "--time-limit, or take another method",
+                        request_.limits.seconds, request_.limits.of_cpu ? "CPU" : "wall", outcome.reason)};
   }
 
  private:
@@ -104,7 +109,9 @@ Outcome advance_over_outputs(const Scene& scene, Integrator& method, const RunRe
     const double t = scene.output_times[k];
     {
       const Timer timer(result.cpu_stepping, result.wall_stepping);
-      if (Outcome outcome = method.advance(t); !outcome.ok()) return outcome;
+      Outcome outcome;
+      counted([&] { outcome = method.advance(t); });
+      if (!outcome.ok()) return outcome;
     }
     if (request.progress) request.progress->reached(t);
     if (request.observe) request.observe(k, t, method.state());
@@ -137,7 +144,7 @@ Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& requ
     }
     {
       const Timer timer(result.cpu_stepping, result.wall_stepping);
-      method.start(plan.t_begin, scene.initial);
+      counted([&] { method.start(plan.t_begin, scene.initial); });
     }
     if (Outcome outcome = affordable(plan, method.statistics()); !outcome.ok()) return outcome;
     watch.stepping_begins();

@@ -63,6 +63,8 @@ struct BenchRow {
   Number cpu_verify;   ///< s, of runs by which a method checked itself; empty = it did not
   int processes = 1;   ///< that took part
   std::optional<std::uint64_t> steps, rejected, rhs, jacobians, factorizations, solves, max_stages;
+  /// Executed between start and end of the integration, as callgrind counts them; empty = nobody asked.
+  std::optional<std::uint64_t> instructions;
   Number peak_memory_mb;                 ///< 1e6 bytes, of the process during the method's warm-up run
   FieldErrors errors;                    ///< of the temperature, or of the only field
   std::optional<FieldErrors> potential;  ///< only when there are two fields

@@ -78,7 +78,8 @@ class Judge {
         judge_error(error + field, "reference_error" + field, before, *now);
       judge_balance("balance" + field, before, *now);
     }
-    if (comparable_) judge_time(case_before, before, case_now, *now);
+    const bool counted = judge_instructions(before, *now);
+    if (comparable_) judge_time(case_before, before, case_now, *now, counted);
   }
 
   void judge_counter(const std::string& what, const MeasuredRow& before, const MeasuredRow& now) {
@@ -114,8 +115,27 @@ class Judge {
     add(what, shown(a), shown(b), worse ? GateVerdict::regressed : GateVerdict::passed);
   }
 
+  /// True when counts say whether the row has become slower: a time that cannot tell is then no matter.
+  bool judge_instructions(const MeasuredRow& before, const MeasuredRow& now) {
+    const std::string what = "instructions";
+    const auto a = before.number(what), b = now.number(what);
+    if (!a) return false;
+    if (!b) return add(what, shown(a), shown(b), GateVerdict::inconclusive), false;
+    if (now_.counted_by != baseline_.counted_by)
+      return add(what, baseline_.counted_by, now_.counted_by, GateVerdict::inconclusive), false;
+    const double change = *b / *a - 1;
+    const std::string text = fmt::format("{} ({:+.2f} %)", shown(b), 100 * change);
+    add(what, shown(a), text,
+        change > limits_.instructions    ? GateVerdict::regressed
+        : change < -limits_.instructions ? GateVerdict::better
+                                         : GateVerdict::passed);
+    counted_ = true;
+    return true;
+  }
+
   void judge_time(const MeasuredCase& case_before, const MeasuredRow& before, const MeasuredCase& case_now,
-                  const MeasuredRow& now) {
+                  const MeasuredRow& now, bool counted) {
+    const GateVerdict untold = counted ? GateVerdict::not_judged : GateVerdict::inconclusive;
     const std::string what = before.spec == case_before.baseline ? "CPU in yardsticks" : "CPU to baseline";
     const auto a = relative_timings(case_before, before), b = relative_timings(case_now, now);
     const std::size_t rounds = std::min(a.rounds(), b.rounds());
@@ -131,11 +151,11 @@ class Judge {
       if (const auto itself = against_itself(*timings);
           itself.above(limits_.slower) || itself.below(1 / limits_.slower))
         return add(what, timings == &a ? "A/A " + text_of(itself) : "",
-                   timings == &b ? "A/A " + text_of(itself) : "", GateVerdict::inconclusive);
+                   timings == &b ? "A/A " + text_of(itself) : "", untold);
     const auto ratio = slowdown(b, a);
     const bool sure = ratio.below(limits_.unsure) && ratio.estimate <= limits_.slower;
     const GateVerdict verdict = ratio.above(limits_.slower)       ? GateVerdict::regressed
-                                : !sure                           ? GateVerdict::inconclusive
+                                : !sure                           ? untold
                                 : ratio.below(1 / limits_.slower) ? GateVerdict::better
                                                                   : GateVerdict::passed;
     add(what, "x 1", text_of(ratio), verdict);
@@ -161,7 +181,7 @@ class Judge {
                          [&](const auto& finding) { return finding.verdict == verdict; });
     };
     report_.verdict = any(GateVerdict::regressed) ? GateVerdict::regressed
-                      : any(GateVerdict::inconclusive) || report_.passed == 0 || !measured_
+                      : any(GateVerdict::inconclusive) || report_.passed == 0 || !(measured_ || counted_)
                           ? GateVerdict::inconclusive
                           : GateVerdict::passed;
     if (any(GateVerdict::better))
@@ -173,7 +193,7 @@ class Judge {
   const ResultsFile &now_, &baseline_;
   const std::function<bool(const std::string&)>& is_adaptive_;
   const GateLimits& limits_;
-  bool comparable_ = false, measured_ = true;
+  bool comparable_ = false, measured_ = true, counted_ = false;
   std::string case_, spec_;
   std::vector<std::string> not_measured_;  // methods of the baseline
   GateReport report_;

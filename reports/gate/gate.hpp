@@ -16,6 +16,7 @@ struct GateLimits {
   double adaptive_counts = 2;       ///< and so many more are never worth a word
   double errors = 0.05;             ///< larger error, relative, beyond the reference's own error bar
   double balance = 1e-6;            ///< heat balance [-] that is never worth a word
+  double instructions = 0.005;      ///< more instructions, relative
   double slower = 1.05;             ///< clearly slower: the whole interval lies above this
   double unsure = 1.10;     ///< clearly not slower: the interval lies below this, its estimate below `slower`
   std::size_t rounds = 6;   ///< timings of fewer rounds are not judged

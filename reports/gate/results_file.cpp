@@ -57,6 +57,13 @@ ResultsFile read_from(const std::string& path) {
   if (const auto machine = json.object("machine")) {
     file.processor = machine->text("processor");
     file.flags = machine->text("flags");
+    if (const std::string counter = machine->text("callgrind"); !counter.empty()) {
+      file.counted_by =
+          counter + "; " + machine->text("compiler") + "; " + file.flags + "; " + machine->text("blas");
+      if (const auto libraries = json.object("libraries"))
+        for (const auto& [name, version] : libraries->json().items())
+          file.counted_by += "; " + name + " " + libraries->text(name);
+    }
   }
   file.threads = json.count<int>("threads").value_or(1);
   if (!json.find("cases")) json.reject("cases", "it must list what was measured");

@@ -36,6 +36,7 @@ struct MeasuredCase {
 
 struct ResultsFile {
   std::string path, revision, processor, flags;
+  std::string counted_by;  ///< all that a count of instructions depends on; empty = none were counted
   int threads = 1;
   std::vector<MeasuredCase> cases;
 

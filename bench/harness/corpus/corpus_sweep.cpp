@@ -25,7 +25,8 @@ constexpr double long_sample = 5e-3;  // s; shorter runs are repeated within a r
 constexpr int most_in_a_sample = 5;   // runs
 constexpr double hopeless = 2;        // times slower than another that errs no more: once is enough
 constexpr double seconds_between_keeps = 20;
-constexpr double bars = 3;  // errors below three bars of the reference are equal
+constexpr double least_for_a_reference = 300;  // s
+constexpr double bars = 3;                     // errors below three bars of the reference are equal
 
 std::string fact(const std::vector<Fact>& facts, const std::string& name) {
   for (const auto& one : facts)
@@ -91,9 +92,9 @@ class SceneSweep {
                           });
     if (all_done) return false;
     const ProbeSet probes(scene_);
-    auto found = obtain_reference(
-        scene_, probes, {"", options_.use_cache, options_.stop, limits_of_reference(options_.limits)},
-        progress_);
+    RunLimits limits = limits_of_reference(options_.limits);
+    limits.seconds = std::max(limits.seconds, least_for_a_reference);
+    auto found = obtain_reference(scene_, probes, {"", options_.use_cache, options_.stop, limits}, progress_);
     if (!found.reference) {
       rows_.clear();
       if (found.outcome.status != Status::interrupted) rows_.push_back(no_reference(found.outcome));

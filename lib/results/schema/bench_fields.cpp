@@ -153,6 +153,9 @@ RecordFields<BenchRow> bench_columns(bool potential) {
   columns.push_back(field("cpu_verify_s", &BenchRow::cpu_verify,
                           "s; of the runs by which a method checked itself; empty where it did not"));
   columns.push_back(field("processes", &BenchRow::processes, "processes that took part"));
+  columns.push_back(field("instructions", &BenchRow::instructions,
+                          "executed between start and end of the integration, counted by callgrind; empty "
+                          "without --instructions"));
   return columns;
 }
 

@@ -72,7 +72,7 @@ const RecordFields<CorpusRow>& fields_of<CorpusRow>() {
       field("reference", &CorpusRow::reference, "SPEC that errors are measured against"),
       field("reference_error", &CorpusRow::reference_error, "its error bar over the span"),
       field("threads", &CorpusRow::threads, "threads that were allowed"),
-      field("time_limit_s", &CorpusRow::time_limit, "s; wall time that a run was allowed"),
+      field("time_limit_s", &CorpusRow::time_limit, "s; CPU time that a run was allowed"),
       field("choice", &CorpusRow::choice, "what the method chose by itself"),
       field("processor", &CorpusRow::processor, "that it was measured on"),
       field("revision", &CorpusRow::revision, "of the program"),
