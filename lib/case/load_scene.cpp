@@ -4,10 +4,10 @@
 #include "case/checks/law_ranges.hpp"
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
+#include "case/direct/read_network_scene.hpp"
 #include "case/materials.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
-#include "case/read_network_scene.hpp"
 #include "case/read_packing_scene.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
@@ -22,8 +22,8 @@ constexpr double default_resolve_change = 1e-6;
 /// A misspelt table is said first: what follows would only miss it.
 void require_known_tables(TomlTable& root) {
   for (const char* key :
-       {"title", "source", "t_end", "output_times", "probe", "bench", "corpus", "published", "network", "packing",
-        "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
+       {"title", "source", "t_end", "output_times", "probe", "bench", "corpus", "published", "network",
+        "packing", "contact", "material", "materials", "interfaces", "thermal", "electric", "coupling"})
     (void)root.find(key);
   root.finish();
 }

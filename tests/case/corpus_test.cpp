@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "case/corpus_tags.hpp"
+#include "case/corpus/corpus_tags.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
 

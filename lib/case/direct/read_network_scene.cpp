@@ -1,4 +1,4 @@
-#include "case/read_network_scene.hpp"
+#include "case/direct/read_network_scene.hpp"
 
 #include <fmt/format.h>
 
