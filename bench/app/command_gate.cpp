@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
 #include "reports/gate/compare.hpp"
 #include "reports/gate/gate.hpp"
+#include "results/corpus/corpus_cells.hpp"
+#include "results/corpus/corpus_csv.hpp"
 
 namespace superstep {
 namespace {
@@ -35,6 +39,29 @@ Command compare_from_line(const Arguments& values) {
   return CompareCommand{common_options(values), values.cases[0], values.cases[1]};
 }
 
+/// corpus.csv in a folder without results.json, or that file itself; empty = it is none.
+std::string corpus_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path inside = fs::path(path) / "corpus.csv";
+  if (fs::is_regular_file(inside, none) && !fs::exists(fs::path(path) / "results.json", none))
+    return inside.string();
+  return fs::path(path).extension() == ".csv" && fs::is_regular_file(path, none) ? path : "";
+}
+
+/// Do two measurements of a corpus name the same winners?
+int compare_corpora(const std::string& a, const std::string& b) {
+  const auto rows_a = read_corpus_csv(a), rows_b = read_corpus_csv(b);
+  const auto scenes_a = scenes_of(rows_a), scenes_b = scenes_of(rows_b);
+  const CellAgreement found = agreement(corpus_cells(scenes_a), corpus_cells(scenes_b));
+  std::string out = fmt::format(
+      "{} cells of scene and error: {} have the same winner, in {} one of the two can not tell, {} differ\n",
+      found.cells, found.same, found.untold, found.different);
+  for (const auto& one : found.differences) out += fmt::format("- {}\n", one);
+  print_data(out);
+  return static_cast<int>(found.cells > 0 ? ExitCode::ok : ExitCode::inconclusive);
+}
+
 }  // namespace
 
 int execute(const GateCommand& command) {
@@ -51,6 +78,8 @@ int execute(const GateCommand& command) {
 }
 
 int execute(const CompareCommand& command) {
+  const std::string corpus_a = corpus_file(command.a), corpus_b = corpus_file(command.b);
+  if (!corpus_a.empty() && !corpus_b.empty()) return compare_corpora(corpus_a, corpus_b);
   const auto a = read_results(command.a), b = read_results(command.b);
   const auto rows = compare(a, b);
   print_data(compare_markdown(a, b, rows));
@@ -74,7 +103,7 @@ CommandEntry compare_command() {
           .does = "two sets of results side by side, with intervals",
           .examples = "  superstep compare before after",
           .positional = "RESULTS",
-          .positional_meaning = "results.json of superstep bench, or their folders",
+          .positional_meaning = "results.json of superstep bench, or their folders; or two of bench --corpus",
           .options = {},
           .make = compare_from_line};
 }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "case/case.hpp"
-#include "case/corpus_tags.hpp"
+#include "case/corpus/corpus_tags.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/read.hpp"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "case/corpus_tags.hpp"
+#include "case/corpus/corpus_tags.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
 
@@ -48,7 +48,7 @@ TEST(Corpus, StatesSizeAndStiffnessOfItsScenes) {
   constexpr double most_unknowns = 50'000;  // larger ones are loaded where they are measured
   for (const auto& file : files()) {
     const auto tags = tags_of(file);
-    if (tags.unknowns > most_unknowns || tags.scene_class == "moving") continue;
+    if (tags.unknowns > most_unknowns) continue;
     const Scene scene = load_scene(file);
     EXPECT_EQ(static_cast<double>(scene.rhs->size()), tags.unknowns) << file;
     // Stated with two digits.

@@ -107,6 +107,39 @@ TEST(Gate, FailsWhenSweepsAreATenthSlower) {
   }
 }
 
+/// Results with counts of instructions, timed on a machine on which no time tells anything.
+ResultsFile counted(double factor, unsigned seed) {
+  auto file = measured({.rounds = 1, .noise = 0.5}, seed);
+  file.counted_by = "valgrind-3.19.0, avx2; a compiler";
+  for (auto& row : file.cases[0].rows) row.numbers["instructions"] = 1e9;
+  file.cases[0].rows[1].numbers["instructions"] = 1e8 * factor;
+  return file;
+}
+
+TEST(Gate, PassesEqualCountsOnABusyMachineTwentyTimesOutOfTwenty) {
+  const auto before = counted(1, 1);
+  for (unsigned seed = 2; seed < 22; ++seed) {
+    const double jitter = seed % 2 ? 1.0005 : 0.9995;  // what addresses and hashes change
+    const auto report = gate(counted(jitter, seed), before);
+    EXPECT_EQ(report.verdict, GateVerdict::passed) << gate_markdown(report);
+  }
+}
+
+TEST(Gate, FailsOnTwoPercentMoreInstructions) {
+  const auto report = gate(counted(1.02, 2), counted(1, 1));
+  EXPECT_EQ(report.verdict, GateVerdict::regressed);
+  EXPECT_TRUE(mentions(report, "instructions", GateVerdict::regressed));
+  EXPECT_EQ(gate(counted(0.98, 2), counted(1, 1)).verdict, GateVerdict::passed);
+}
+
+TEST(Gate, CannotTellFromCountsOfAnotherBuildOrNone) {
+  auto other = counted(1, 2);
+  other.counted_by = "valgrind-3.19.0, avx2; another compiler";
+  EXPECT_EQ(gate(other, counted(1, 1)).verdict, GateVerdict::inconclusive);
+  auto none = measured({}, 2);
+  EXPECT_EQ(gate(none, counted(1, 1)).verdict, GateVerdict::inconclusive);
+}
+
 TEST(Gate, FailsWhenOneMethodIsATenthSlower) {
   const auto report = gate(measured({.rkc = 1.10}, 2), measured({}, 1));
   EXPECT_EQ(report.verdict, GateVerdict::regressed);

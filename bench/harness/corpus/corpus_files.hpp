@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/corpus_tags.hpp"
+#include "case/corpus/corpus_tags.hpp"
 
 namespace superstep {
 

@@ -10,7 +10,7 @@
 
 #include "bench/host/progress.hpp"
 #include "bench/measure/run_limits.hpp"
-#include "case/corpus_tags.hpp"
+#include "case/corpus/corpus_tags.hpp"
 #include "case/scene.hpp"
 #include "results/corpus/corpus_row.hpp"
 

@@ -8,29 +8,28 @@
 #include <limits>
 #include <utility>
 
+#include "integrators/detail/cost_models.hpp"
+
 namespace superstep {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double tightest = 1e-11;  // that the small problems of Krylov spaces are solved to
 
-// Constants measured on packings: the cylinder of the source paper (16 538 unknowns, t rho = 5.8e4 with the
-// certified rho) and lattices.
-
-/// Terms of the expansion, sqrt(t rho ln(1/rtol)) and a few more; 0.78 stands for the sharper radius that it
-/// works with, 30 for finding that (480 to 1016 sweeps for rtol 1e-3 to 1e-12, within 12 %). Every piece of
-/// the inputs takes an expansion of its own.
+/// Every piece of the inputs takes an expansion of its own.
 double sweeps_of_chebyshev(const ExponentialWork& work) {
   const double decades = std::log(1 / work.rtol);
-  return 0.78 * std::sqrt(work.t_rho * work.pieces * decades) + work.pieces * (decades + 4) + 36;
+  const double sweeps = costs::chebyshev_terms * std::sqrt(work.t_rho * work.pieces * decades) +
+                        work.pieces * (decades + 4) + costs::chebyshev_radius;
+  return work.one_field ? sweeps : costs::chebyshev_one_way * sweeps;
 }
 
-/// Vectors (134, 227, 307, 458 for rtol 1e-2, 1e-4, 1e-6, 1e-10, within 5 %), and what a product with its
-/// sums and its part of the results costs, in sweeps.
 double sweeps_of_lanczos(const ExponentialWork& work) {
-  constexpr double product = 1.8;
   const double decades = std::log(1 / work.rtol);
-  const double vectors = std::sqrt(work.t_rho) * (0.22 + 0.0734 * decades) + 8;
+  const double wanted =
+      std::sqrt(work.t_rho) * (costs::lanczos_vectors + costs::lanczos_vectors_of_digit * decades) +
+      costs::lanczos_few;
+  const double vectors = std::min(wanted, work.unknowns + 1);  // then the space is whole
   const double room = work.memory / (8 * std::max(1.0, work.unknowns));
   constexpr double fewest = 40;  // a basis begun anew after fewer is no better than an expansion
   // Its products round by epsilons of rho each, and that acts for the whole time.
@@ -40,19 +39,21 @@ double sweeps_of_lanczos(const ExponentialWork& work) {
   const double bases = std::max(1.0, vectors / room), spaces = 1 + work.shapes;
   constexpr double margin = 1.5;  // spaces of driven scenes cannot begin anew
   if (work.shapes > 0 && margin * spaces * vectors > room) return never;
-  return product * spaces * vectors * std::sqrt(bases);
+  const double small = (costs::lanczos_vector + costs::lanczos_pair * vectors) / costs::sweep(work.unknowns);
+  return (costs::lanczos_product + small) * spaces * vectors * std::sqrt(bases);
 }
 
 /// Analysis and factorization once, a factorization more and its own solves for every two decades of output
-/// times: 600, 700 and 45 sweeps at 16 538 unknowns; dimensions are those that every spectrum needs.
+/// times; dimensions are those that every spectrum needs.
 double sweeps_of_shift_invert(const ExponentialWork& work) {
   const double factor_bytes = 16 * std::pow(work.unknowns, 4.0 / 3.0);
   if (work.rtol < tightest || factor_bytes > work.memory) return never;
-  const double size = work.unknowns / 16'538, digits = std::log10(1 / work.rtol);
+  const double size = work.unknowns / costs::usual_size, digits = std::log10(1 / work.rtol);
   const double poles = std::max(1.0, std::ceil(work.output_decades / 2));
   const double decades_of_a_pole = std::min(2.0, work.output_decades);
   const double solves = (2 + 2.5 * digits) * (1 + 0.4 * decades_of_a_pole);
-  return 600 + poles * (700 * size + solves * 45 * std::cbrt(size));
+  return costs::invert_analysis +
+         poles * (costs::invert_factor * size + solves * costs::invert_solve * std::cbrt(size));
 }
 
 using Named = std::array<std::pair<const char*, double>, 3>;

@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "case/corpus_tags.hpp"
+#include "case/corpus/corpus_tags.hpp"
 #include "case/keys/key_list.hpp"
 #include "contact/neck.hpp"
 #include "network/generators/network_generator.hpp"

@@ -19,8 +19,7 @@ inline constexpr const char* corpus_classes[] = {"linear",
                                                  "one-way thermoelectric",
                                                  "two-way thermoelectric",
                                                  "steady potential",
-                                                 "two materials",
-                                                 "moving"};
+                                                 "two materials"};
 
 struct CorpusTags {
   std::string set;                     ///< the smallest that holds the case

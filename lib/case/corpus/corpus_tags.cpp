@@ -1,4 +1,4 @@
-#include "case/corpus_tags.hpp"
+#include "case/corpus/corpus_tags.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
