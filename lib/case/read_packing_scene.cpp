@@ -27,6 +27,8 @@ std::vector<double> positive_numbers(const TomlValue& value) {
   return numbers;
 }
 
+}  // namespace
+
 SizeDistribution read_sizes(TomlTable table, double unit) {
   SizeDistribution sizes;
   const auto kind = table.require("distribution", "it must be lognormal, uniform or list");
@@ -50,6 +52,8 @@ SizeDistribution read_sizes(TomlTable table, double unit) {
   table.finish();
   return sizes;
 }
+
+namespace {
 
 std::int64_t non_negative(TomlTable& table, const std::string& key, std::int64_t fallback) {
   const auto value = table.find(key);
@@ -176,6 +180,8 @@ void read_contacts(TomlTable& table, const std::string& case_path, const std::st
   scene.neck_report = apply_neck_law(scene.packing, *law, parameters, scene.contacts);
 }
 
+}  // namespace
+
 /// A packing file that states its unit decides; a case that says otherwise contradicts it.
 void adopt_stated_unit(const std::string& file, const std::optional<TomlValue>& of_case, double& unit) {
   const std::string stated = stated_length_unit(file);
@@ -186,8 +192,6 @@ void adopt_stated_unit(const std::string& file, const std::optional<TomlValue>& 
                                 file, stated));
   unit = own;
 }
-
-}  // namespace
 
 std::string beside_case(const std::string& case_path, const std::string& file) {
   const std::filesystem::path path(file);
