@@ -37,7 +37,7 @@ double sweeps_of_rock(double t_rho, double rtol) {
 /// and 315 with a factorization, growing with the fill of a three-dimensional network, n^(2/3).
 double sweeps_of_cvode(const Rhs& rhs, double t_rho, double rtol) {
   const double steps = 25 * std::pow(rtol, -0.125) * (1 + std::log10(1 + t_rho) / 10);
-  const double size = static_cast<double>(rhs.size()) / 16'538;
+  const double size = static_cast<double>(rhs.reduction().total()) / 16'538;
   const bool iterative = fastest_linear_solver(rhs) == "pcg";
   return steps * (2 + (iterative ? 115 * std::pow(size, 0.43) : 315 * std::pow(size, 2.0 / 3.0)));
 }
@@ -117,6 +117,8 @@ IntegratorEntry automatic_entry() {
       .colour = "#9a9a2e",
       .order = 0,
       .adaptive = true,
+      .distributed = Distributed::exact,
+      .gathered_where = "where it chooses such a method",
       .keys = {{.name = "rtol",
                 .min = 1e-12,
                 .max = 0.5,

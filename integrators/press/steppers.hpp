@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/reduction.hpp"
+#include "parallel/reduction.hpp"
 #include "integrators/press/motion.hpp"
 #include "integrators/press/step_control.hpp"
 

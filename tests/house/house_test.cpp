@@ -20,7 +20,7 @@ const fs::path root = SUPERSTEP_SOURCE_DIR;
 
 // Data flows from left to right.
 const std::vector<std::string> rooms = {
-    "lib/core",     "lib/packing", "lib/contact", "lib/network", "lib/rhs",       "lib/dynamics",
+    "lib/core",     "lib/parallel", "lib/packing", "lib/contact", "lib/network", "lib/rhs",       "lib/dynamics",
     "lib/case",     "integrators", "lib/results", "bench/host",  "bench/measure", "bench/harness",
     "bench/output", "bench/lab",   "bench/press", "reports",     "bench/app",
 };
