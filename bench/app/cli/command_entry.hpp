@@ -16,7 +16,7 @@ struct Arguments {
   std::string command;  ///< "run", "bench", ...; empty when there is only `text` to show
   std::string text;     ///< help or version
 
-  std::string threads = "1", color = "auto";
+  std::string threads = "1", color = "auto", block_rows;
   bool quiet = false, json = false;
 
   std::vector<std::string> cases, integrators;
