@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <limits>
 #include <utility>
 
@@ -104,9 +105,9 @@ void ArkodeRungeKutta::prepare(Rhs& rhs, const Task& task) {
   arkode_.reset();
   linear_solver_.reset();
   context_ = sundials::make_context();
-  const auto n = static_cast<sunindextype>(rhs.size());
-  y_.reset(N_VNew_Serial(n, context_.get()));
-  derivative_.reset(N_VNew_Serial(n, context_.get()));
+  y_.reset(sundials::new_state_vector(rhs.reduction(), context_.get()));
+  derivative_.reset(sundials::new_state_vector(rhs.reduction(), context_.get()));
+  if (!y_ || !derivative_) throw std::bad_alloc();
   N_VConst(0, y_.get());
   create_solver(task.t_begin);
   state_.resize(rhs.size());
