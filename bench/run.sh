@@ -7,6 +7,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 install_missing_packages >&2
+install_optional_packages "the program runs on one machine alone" "${parallel_packages[@]}" >&2
 fetch_chart_library >&2
 build_preset release superstep >&2
 exec build/release/bin/superstep bench cases/nial_thermal.toml --report "$@"

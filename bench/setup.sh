@@ -10,6 +10,9 @@ packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libbenchmark-dev libgtest-dev libxxhash-dev zlib1g-dev
 )
 
+# Several processes; without them the program is the same, and alone.
+parallel_packages=(libpetsc-real-dev mpi-default-dev mpi-default-bin pkg-config)
+
 # missing_packages PACKAGE...: those that are not installed, one a line.
 missing_packages() {
   local package

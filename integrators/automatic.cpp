@@ -28,7 +28,7 @@ double sweeps_of_rock(double t_rho, double rtol, double pieces) {
 double sweeps_of_cvode(const Rhs& rhs, double t_rho, double rtol) {
   const double steps = costs::bdf_steps * std::pow(rtol, -costs::bdf_growth) *
                        (1 + costs::bdf_decades * std::log10(1 + t_rho));
-  const double size = static_cast<double>(rhs.size()) / costs::usual_size;
+  const double size = static_cast<double>(rhs.reduction().total()) / costs::usual_size;
   const bool iterative = fastest_linear_solver(rhs) == "pcg";
   return steps *
          (costs::bdf_sweeps + (iterative ? costs::bdf_iterative * std::pow(size, costs::bdf_iterative_growth)
@@ -110,6 +110,8 @@ IntegratorEntry automatic_entry() {
       .colour = "#9a9a2e",
       .order = 0,
       .adaptive = true,
+      .distributed = Distributed::exact,
+      .gathered_where = "where it chooses such a method",
       .keys = {{.name = "rtol",
                 .min = 1e-12,
                 .max = 0.5,

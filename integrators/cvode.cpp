@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -116,9 +117,9 @@ void CvodeBdf::prepare(Rhs& rhs, const Task& task) {
   cvode_.reset();
   linear_solver_.reset();
   context_ = sundials::make_context();
-  const auto n = static_cast<sunindextype>(rhs.size());
-  y_.reset(N_VNew_Serial(n, context_.get()));
-  derivative_.reset(N_VNew_Serial(n, context_.get()));
+  y_.reset(sundials::new_state_vector(rhs.reduction(), context_.get()));
+  derivative_.reset(sundials::new_state_vector(rhs.reduction(), context_.get()));
+  if (!y_ || !derivative_) throw std::bad_alloc();
   create_solver(task.t_begin);
   state_.resize(rhs.size());
 }
@@ -261,6 +262,8 @@ IntegratorEntry cvode_entry() {
           .colour = "#a44fa0",
           .order = 0,
           .adaptive = true,
+          .distributed = Distributed::exact,
+          .gathered_where = "but for linsol=pcg on linear scenes",
           .keys = cvode_keys(),
           .examples = {"cvode:rtol=1e-4,ordering=amd", "cvode:rtol=1e-9", "cvode:rtol=1e-7,linsol=pcg",
                        "cvode:rtol=1e-7,linsol=gmres", "cvode:rtol=1e-7,linsol=cholmod"},

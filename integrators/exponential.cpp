@@ -122,6 +122,8 @@ IntegratorEntry exponential_entry() {
       .colour = "#3fb8f0",
       .order = 0,
       .adaptive = true,
+      .distributed = Distributed::exact,
+      .gathered_where = "with basis=shift-invert",
       .keys = exponential_keys(),
       .examples = {"exponential:basis=chebyshev,rtol=1e-13", "exponential:basis=lanczos,rtol=1e-9",
 

@@ -78,6 +78,7 @@ IntegratorEntry forward_euler_entry() {
           .colour = "#7f7f7f",
           .order = 1,
           .adaptive = false,
+          .distributed = Distributed::exact,
           .keys = critical_step_keys(),
           .examples = {"forward-euler:fraction=0.5", "forward-euler:fraction=0.95,bound=lanczos"},
           .representatives = {"forward-euler:fraction=1,bound=lanczos"},

@@ -10,6 +10,10 @@
 
 namespace superstep {
 
+const char* distributed_name(Distributed distributed) noexcept {
+  return distributed == Distributed::exact ? "exact" : "gathered";
+}
+
 #define SUPERSTEP_DECLARE(method) IntegratorEntry method##_entry();
 SUPERSTEP_INTEGRATORS(SUPERSTEP_DECLARE)
 #undef SUPERSTEP_DECLARE

@@ -15,6 +15,13 @@
 
 namespace superstep {
 
+/// How several processes run a method, see lib/parallel.
+enum class Distributed : char {
+  exact,     ///< together, with the result of one process bit by bit
+  gathered,  ///< one does it for all, up to a size: it forms a matrix of the whole network
+};
+[[nodiscard]] const char* distributed_name(Distributed distributed) noexcept;
+
 /// One line of the registry.
 struct IntegratorEntry {
   std::string name;
@@ -23,6 +30,8 @@ struct IntegratorEntry {
   std::string colour;     ///< "#rrggbb" in charts; empty = a spare one
   int order = 1;          ///< classical order in time; 0 = exact up to the requested tolerance
   bool adaptive = false;  ///< takes rtol and controls its own step by default
+  Distributed distributed = Distributed::gathered;
+  std::string gathered_where = {};  ///< of an exact one: which of its choices one process does alone
   std::vector<OptionKey> keys;
   /// Specs that the conformance suite runs besides the bare name.
   std::vector<std::string> examples;

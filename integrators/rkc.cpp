@@ -13,6 +13,7 @@ IntegratorEntry rkc_entry() {
           .colour = "#e69f00",
           .order = 2,
           .adaptive = true,
+          .distributed = Distributed::exact,
           .keys = stabilised_keys(rkc2_family(), true),
           .examples = {"rkc:rtol=1e-6", "rkc:order=1,rtol=1e-3", "rkc:step=15"},
           .ladder = joined({rtol_ladder("rkc", 1, 8), rtol_ladder("rkc:order=1", 1, 4)}),

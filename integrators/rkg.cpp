@@ -13,6 +13,7 @@ IntegratorEntry rkg_entry() {
           .colour = "#cc79a7",
           .order = 2,
           .adaptive = true,
+          .distributed = Distributed::exact,
           .keys = stabilised_keys(rkg2_family(), false),
           .examples = {"rkg:rtol=1e-6", "rkg:step=15"},
           .ladder = rtol_ladder("rkg", 1, 8),

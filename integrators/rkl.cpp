@@ -13,6 +13,7 @@ IntegratorEntry rkl_entry() {
           .colour = "#009e73",
           .order = 2,
           .adaptive = true,
+          .distributed = Distributed::exact,
           .keys = stabilised_keys(rkl2_family(), true),
           .examples = {"rkl:rtol=1e-6", "rkl:order=1,rtol=1e-3", "rkl:step=15"},
           .ladder = joined({rtol_ladder("rkl", 1, 8), rtol_ladder("rkl:order=1", 1, 4)}),

@@ -13,6 +13,7 @@ IntegratorEntry rock_entry() {
           .colour = "#b07d4f",
           .order = 4,
           .adaptive = true,
+          .distributed = Distributed::exact,
           .keys = stabilised_keys(rock4_family(), false),
           .examples = {"rock:rtol=1e-6", "rock:step=0.1"},
           .ladder = rtol_ladder("rock", 2, 10),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -14,12 +15,19 @@ namespace {
 constexpr double enough = 0.05;  // relative change of a span that ends the pilot runs
 constexpr int most_runs = 8;
 
+/// Of all processes that share the state.
+void share(const Rhs& rhs, std::vector<FieldRange>& ranges) {
+  for (auto& range : ranges)
+    range = {rhs.reduction().smallest(range.low), rhs.reduction().largest(range.high)};
+}
+
 std::vector<FieldRange> starting_ranges(const Rhs& rhs, const Plan& plan, std::span<const double> y) {
   std::vector<FieldRange> ranges = plan.ranges;
   const auto fields = rhs.fields();
   for (std::size_t f = 0; f < fields.size(); ++f)
     for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
       ranges[f].take(y[i]);
+  share(rhs, ranges);
   return ranges;
 }
 
@@ -64,10 +72,13 @@ std::vector<double> guess(Rhs& rhs, const Plan& plan, double t, std::span<const 
     for (const double at : {begin, end}) {
       rhs(at, y, rate);
       for (std::size_t f = 0; f < fields.size(); ++f) {
-        double sum = 0;
-        for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
-          sum += rate[i] * rate[i];
-        const double rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, fields[f].count)));
+        const auto& field = fields[f];
+        const Reduction of_field(std::array{field.count}, field.total(), rhs.reduction().among());
+        const double sum = of_field.sum([&](std::size_t k) {
+          const double r = rate[field.offset + k * field.stride];
+          return r * r;
+        });
+        const double rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, field.total())));
         if (std::isfinite(rms)) rise[f] += 0.5 * (end - begin) * rms;
       }
     }
@@ -108,7 +119,7 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
     out.pilot = out.pilot || !range_is_attained(facts[f], declared[f]);
   }
   out.how = "initial and fixed values span it";
-  if (!out.pilot || rhs.size() == 0) return out;
+  if (!out.pilot || rhs.reduction().total() == 0) return out;
 
   const auto rise = guess(rhs, plan, t, y);
   std::vector<double> spans = out.spans;
@@ -132,12 +143,15 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
       integrator.prepare(rhs, pilot);
       integrator.start(t, y);
       outcome = integrator.advance(plan.output_times.back());
+    } catch (const NeedsWhole&) {
+      throw;
     } catch (const Error& error) {
       if (error.code() != ExitCode::numerical) throw;  // no fault of the method
       outcome = {Status::failed, error.what()};
     } catch (const std::exception& error) {
       outcome = {Status::failed, error.what()};
     }
+    share(rhs, found);
     double change = 0;
     for (std::size_t f = 0; f < spans.size(); ++f) {
       const double seen = found[f].span();

@@ -240,6 +240,7 @@ IntegratorEntry sts_entry() {
           .colour = "#0f7dc2",
           .order = 1,
           .adaptive = false,
+          .distributed = Distributed::exact,
           .keys = sts_keys(),
           .examples = {"sts:n=5,nu=1e-2,order=recurrence", "sts:n=5,nu=0.05,order=natural",
                        "sts:n=20,nu=1e-3", "sts:n=auto,rtol=1e-2"},

@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(library_rooms core packing contact network rhs dynamics case integrators)
+set(library_rooms core parallel packing contact network rhs dynamics case integrators)
 add_library(superstep_all INTERFACE)
 add_library(superstep::superstep ALIAS superstep_all)
 set_target_properties(superstep_all PROPERTIES EXPORT_NAME superstep)

@@ -34,6 +34,7 @@ check_scripts() {
 preset=release
 if [[ ${SUPERSTEP_SANITIZE:-0} == 1 ]]; then preset=asan; fi
 install_missing_packages
+install_optional_packages "the program runs on one machine alone" "${parallel_packages[@]}"
 install_optional_packages "the format of sources is not checked" clang-format
 check_format
 install_optional_packages "scripts are not checked" shellcheck

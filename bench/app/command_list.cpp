@@ -50,6 +50,8 @@ std::vector<FoundCase> find_cases() {
 std::string integrator_text(const IntegratorEntry& entry, bool color) {
   std::string out = fmt::format("  {}  {}\n      {}\n", styled(entry.name, Style::bold, color), entry.summary,
                                 entry.source);
+  out += fmt::format("      several processes: {}{}\n", distributed_name(entry.distributed),
+                     entry.gathered_where.empty() ? "" : "; gathered " + entry.gathered_where);
   for (const auto& key : entry.keys)
     out += fmt::format("      {:<9} {}{}\n                {}\n", key.name, key.range(),
                        key.fallback.empty() ? "" : "; default " + key.fallback, key.meaning);
@@ -91,6 +93,8 @@ std::string list_json(const std::vector<FoundCase>& cases) {
                                   {"source", entry.source},
                                   {"order", entry.order},
                                   {"adaptive", entry.adaptive},
+                                  {"distributed", distributed_name(entry.distributed)},
+                                  {"gathered_where", entry.gathered_where},
                                   {"keys", keys}});
   }
   for (const auto& law : neck_laws())

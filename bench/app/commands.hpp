@@ -17,8 +17,9 @@ namespace superstep {
 
 struct CommonOptions {
   int threads = 1;
-  bool quiet = false;  ///< stderr carries errors only
-  bool json = false;   ///< stdout is machine-readable
+  std::size_t block_rows = 0;  ///< rows that processes share out together; 0 = as many as usual
+  bool quiet = false;          ///< stderr carries errors only
+  bool json = false;           ///< stdout is machine-readable
   ColorMode color = ColorMode::automatic;
 };
 
@@ -31,12 +32,14 @@ struct RunCommand {
   bool verify = false;                   ///< run again by another method, ten times tighter, and compare
   bool vtk = false;                      ///< write particles and contacts for ParaView
   std::optional<double> checkpoint;      ///< simulated time between checkpoints [s]; moving particles only
-  std::string restart;                   ///< checkpoint to go on from; empty = none; moving particles only
-  RunLimits limits;                      ///< of each run
+  std::string export_packing;  ///< packing file to write at the end; empty = none; moving particles only
+  std::string restart;         ///< checkpoint to go on from; empty = none; moving particles only
+  RunLimits limits;            ///< of each run
 };
 
 struct BenchCommand {
   CommonOptions common;
+  bool press_table = false;  ///< springback over hold and densification instead
   std::vector<std::string> case_files;
   HarnessOptions harness;
   std::string out;      ///< folder; empty = default_output_folder
@@ -132,9 +135,9 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, CorpusCommand, InfoCommand, InitCommand,
-                             StabilityCommand, GateCommand, CompareCommand, PackCommand, ListCommand,
-                             ReportCommand, CompletionCommand, ShowText>;
+using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, CorpusCommand, InfoCommand,
+                             InitCommand, StabilityCommand, GateCommand, CompareCommand, PackCommand,
+                             ListCommand, ReportCommand, CompletionCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);

@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "parallel/communicator.hpp"
+
 namespace superstep {
 namespace {
 
@@ -20,6 +22,8 @@ void catch_interrupts() {
   action.sa_handler = on_interrupt;
   action.sa_flags = SA_RESTART;  // files being written must not notice
   sigaction(SIGINT, &action, nullptr);
+  // A launcher of several processes passes the wish on by another name.
+  if (!world().alone()) sigaction(SIGTERM, &action, nullptr);
 }
 
 const std::atomic<bool>& stop_flag() noexcept {

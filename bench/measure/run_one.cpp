@@ -7,29 +7,13 @@
 #include <utility>
 
 #include "bench/host/watchdog.hpp"
-#include "bench/measure/counted.hpp"
-#include "core/error.hpp"
-#include "core/stopwatch.hpp"
+#include "bench/measure/run_over.hpp"
+#include "bench/measure/shared_run.hpp"
+#include "bench/measure/shared_scene.hpp"
 #include "rhs/one_way.hpp"
 
 namespace superstep {
 namespace {
-
-/// Adds the time between its construction and `stop` to a pair of sums.
-class Timer {
- public:
-  Timer(double& cpu, double& wall) : cpu_(cpu), wall_(wall) {}
-  ~Timer() {
-    cpu_ += process_cpu_seconds() - cpu_begin_;
-    wall_ += wall_seconds() - wall_begin_;
-  }
-  Timer(const Timer&) = delete;
-  Timer& operator=(const Timer&) = delete;
-
- private:
-  double &cpu_, &wall_;
-  double wall_begin_ = wall_seconds(), cpu_begin_ = process_cpu_seconds();
-};
 
 constexpr double first_look = 10;  // s after which a forecast is worth something
 
@@ -77,110 +61,75 @@ class Watch {
   Watchdog dog_;  // last: its thread looks at what stands above
 };
 
-/// A method whose number of steps is known is not begun when it is too much.
-Outcome affordable(const Plan& plan, const Statistics& statistics) {
-  if (plan.most_sweeps == 0 || !(statistics.time_per_sweep > 0)) return {};
-  const double sweeps = (plan.output_times.back() - plan.t_begin) / statistics.time_per_sweep;
-  if (sweeps <= static_cast<double>(plan.most_sweeps)) return {};
-  return {Status::refused,
-          fmt::format("it would take {:.3g} sweeps over the network, and {} are allowed; allow "
-                      "more with --max-work, or take another method",
-                      sweeps, plan.most_sweeps)};
-}
-
-Plan plan_of(const Scene& scene, const RunRequest& request, Watch& watch, RunResult& result) {
+Plan plan_of(const Scene& scene, const RunRequest& request, Watch& watch) {
   Plan plan = scene_plan(scene);
   plan.stop = watch.flag();
   plan.most_sweeps = request.limits.sweeps;
   plan.reached = watch.reached();
-  plan.spans = result.spans;
+  plan.spans = request.spans;
   plan.track_inflow = request.track_inflow;
+  return plan;
+}
+
+/// One process with all of it.
+Outcome run_alone(const Scene& scene, Plan plan, Integrator& method, const RunRequest& request,
+                  std::function<void()> stepping_begins, RunResult& result) {
   if (request.probes && !request.probes->entries().empty()) {
     plan.probes = request.probes->entries();
     result.history = request.probes->history();
     plan.history = &result.history;
   }
-  return plan;
+  RunSite site{.rhs = *scene.rhs,
+               .initial = scene.initial,
+               .plan = std::move(plan),
+               .observe = request.observe,
+               .progress = request.progress,
+               .stepping_begins = std::move(stepping_begins)};
+  const RhsCounters before = scene.rhs->counters();
+  Outcome outcome = run_over(site, method, result);
+  count_work(before, *scene.rhs, result);
+  take_facts(method, result);
+  if (scene.rhs->size() == 0) result.t_reached = scene.t_end;
+  return outcome;
 }
 
-Outcome advance_over_outputs(const Scene& scene, Integrator& method, const RunRequest& request,
-                             RunResult& result) {
-  for (std::size_t k = 0; k < scene.output_times.size(); ++k) {
-    const double t = scene.output_times[k];
-    {
-      const Timer timer(result.cpu_stepping, result.wall_stepping);
-      Outcome outcome;
-      counted([&] { outcome = method.advance(t); });
-      if (!outcome.ok()) return outcome;
-    }
-    if (request.progress) request.progress->reached(t);
-    if (request.observe) request.observe(k, t, method.state());
-  }
-  return {};
-}
-
-/// A steady field alone was solved for when the scene was built.
-Outcome nothing_to_integrate(const Scene& scene, const RunRequest& request, RunResult& result) {
-  for (std::size_t k = 0; k < scene.output_times.size() && request.observe; ++k)
-    request.observe(k, scene.output_times[k], {});
-  result.choice = "nothing to integrate: the field is steady and was solved for";
-  return {};
-}
-
-Outcome integrate(const Scene& scene, Integrator& method, const RunRequest& request, Watch& watch,
-                  RunResult& result) {
-  try {
-    if (scene.rhs->size() == 0) return nothing_to_integrate(scene, request, result);
-    result.spans = request.spans;
-    if (result.spans.empty() && method.rtol() > 0) {
-      double wall = 0;  // not asked for
-      const Timer timer(result.cpu_pilot, wall);
-      result.spans = scene_spans(scene, watch.flag()).spans;
-    }
-    const Plan plan = plan_of(scene, request, watch, result);
-    {
-      const Timer timer(result.cpu_prepare, result.wall_prepare);
-      method.prepare(*scene.rhs, plan);
-    }
-    {
-      const Timer timer(result.cpu_stepping, result.wall_stepping);
-      counted([&] { method.start(plan.t_begin, scene.initial); });
-    }
-    if (Outcome outcome = affordable(plan, method.statistics()); !outcome.ok()) return outcome;
-    watch.stepping_begins();
-    return advance_over_outputs(scene, method, request, result);
-  } catch (const Refused& refused) {
-    return {Status::refused, refused.what()};
-  } catch (const std::bad_alloc&) {
-    return {Status::failed, "out of memory"};
-  } catch (const Error& error) {
-    // A file that cannot be written is no fault of the method.
-    if (error.code() != ExitCode::numerical) throw;
-    return {Status::failed, error.what()};
-  } catch (const std::exception& error) {
-    return {Status::failed, error.what()};
-  }
+/// What one process cannot share with others it does for them, up to a size.
+Outcome run_gathered(const Scene& scene, Plan plan, Integrator& method, const RunRequest& request,
+                     std::function<void()> stepping_begins, const std::string& why, RunResult& result) {
+  constexpr std::size_t most = 2'000'000;  // unknowns: some GB of factors
+  if (scene.rhs->size() > most)
+    return {Status::refused,
+            fmt::format("{}, and {} unknowns are more than the {} that are gathered on one process; take "
+                        "another method, or start the program once",
+                        why, scene.rhs->size(), most)};
+  result.distributed = "gathered";
+  return run_alone(scene, std::move(plan), method, request, std::move(stepping_begins), result);
 }
 
 }  // namespace
 
 RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& request) {
-  const auto method = std::make_unique<Integrator>(spec.make());
+  auto method = std::make_unique<Integrator>(spec.make());
   RunResult result;
-  const RhsCounters before = scene.rhs->counters();
-  {
-    Watch watch(scene, spec, request);
-    Outcome outcome = integrate(scene, *method, request, watch, result);
-    result.outcome = watch.judged(std::move(outcome));
+  Watch watch(scene, spec, request);
+  Plan plan = plan_of(scene, request, watch);
+  const auto stepping_begins = [&] { watch.stepping_begins(); };
+  Outcome outcome;
+  if (world().alone()) {
+    outcome = run_alone(scene, std::move(plan), *method, request, stepping_begins, result);
+  } else if (!can_be_shared(scene)) {
+    outcome = run_gathered(scene, std::move(plan), *method, request, stepping_begins,
+                           "the scene is not one that processes share", result);
+  } else {
+    try {
+      outcome = run_shared(scene, spec.text(), plan, request, stepping_begins, result);
+    } catch (const NeedsWhole& whole) {
+      method = std::make_unique<Integrator>(spec.make());
+      result = {};
+      outcome = run_gathered(scene, std::move(plan), *method, request, stepping_begins, whole.what(), result);
+    }
   }
-  const RhsCounters after = scene.rhs->counters();
-  result.sweeps = after.sweeps - before.sweeps;
-  result.jacobians = after.jacobians - before.jacobians;
-  result.statistics = method->statistics();
-  result.t_reached = scene.rhs->size() == 0 ? scene.t_end : method->time();
-  if (scene.rhs->size() > 0) result.choice = method->choice();
-  result.potential_solves = after.potential_solves - before.potential_solves;
-  result.settled_at = method->settled_at();
+  result.outcome = watch.judged(std::move(outcome));
   return result;
 }
 

@@ -43,6 +43,13 @@ struct RunResult {
   std::string choice;    ///< what the method chose by itself and why; may be empty
   double t_reached = 0;  ///< s
   ProbeHistory history;  ///< begins with the initial state; empty unless probes were asked for
+  bool threw = false;    ///< the outcome is an exception's
+  int processes = 1;     ///< that took part; their CPU times are added up, and the longest wall time counts
+  /// Of several processes: exact (the result is that of one) or gathered (one did it for all); else empty.
+  std::string distributed;
+  std::uint64_t reductions = 0;                     ///< sums and maxima over all processes
+  std::uint64_t halo_messages = 0, halo_bytes = 0;  ///< of all processes together
+  double imbalance = 1;                             ///< most entries that a process has over their mean
 };
 
 /// The method's own bound of its error over the span; nothing where it has none.

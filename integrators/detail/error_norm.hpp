@@ -27,7 +27,7 @@ class ErrorNorm {
 
   template <class Error>
   [[nodiscard]] double of(Error error) const {
-    const auto n = static_cast<double>(std::max<std::size_t>(1, reduction_->size()));
+    const auto n = static_cast<double>(std::max<std::size_t>(1, reduction_->total()));
     const auto squares = [&](auto inverse) {
       return reduction_->sum([&](std::size_t i) {
         const double e = error(i) * inverse(i);

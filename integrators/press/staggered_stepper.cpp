@@ -20,7 +20,9 @@ StaggeredStepper::StaggeredStepper(const SteppingSettings& settings, MovingNetwo
     : settings_(settings),
       network_(network),
       bridge_(make_bridge(settings.thermal_integrator)),
-      reduction_(network.particles().size()) {
+      reduction_(network.particles().size()),
+      smallest_radius_(
+          *std::min_element(network.particles().radius.begin(), network.particles().radius.end())) {
   const std::size_t n = network.particles().size();
   for (auto* v : {&force_, &force_begin_, &position_, &position_before_, &velocity_}) v->resize(n);
   for (auto* v : {&rate_, &rate_begin_, &temperature_, &temperature_before_}) v->resize(n);
@@ -63,8 +65,7 @@ bool StaggeredStepper::measure_motion(const State& state, int iteration) {
   position_error_.measure(
       iteration, reduction_.sum([&](std::size_t i) { return norm(position_[i] - position_before_[i]); }),
       reduction_.sum(moved_by));
-  const auto& radius = network_.particles().radius;
-  travelled_ = reduction_.max([&](std::size_t i) { return moved_by(i) / radius[i]; });
+  travelled_ = reduction_.max(moved_by) / smallest_radius_;
   return travelled_ <= farthest_in_a_step;
 }
 
@@ -79,8 +80,13 @@ bool StaggeredStepper::measure_heat(const State& state, int iteration) {
 }
 
 double StaggeredStepper::factor(int iteration, double unknown) const {
-  return std::min(position_error_.factor(iteration, settings_.iterations, settings_.power, unknown),
-                  temperature_error_.factor(iteration, settings_.iterations, settings_.power, unknown));
+  // The work for a stretch of time, iterations over step, is least at p K = ln(1/TOL): four iterations for
+  // the usual tolerance and p = 2. Aiming there leaves room to converge where the next step is harder than
+  // this one.
+  const bool steady = settings_.control == SteppingSettings::Control::steady;
+  const int wanted = steady ? std::max(2, settings_.iterations / 2) : settings_.iterations;
+  return std::min(position_error_.factor(iteration, wanted, settings_.power, unknown),
+                  temperature_error_.factor(iteration, wanted, settings_.power, unknown));
 }
 
 /// How much shorter a step must be whose trial went too far; NaN went further than any number.

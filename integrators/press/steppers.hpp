@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/reduction.hpp"
 #include "integrators/press/motion.hpp"
 #include "integrators/press/step_control.hpp"
+#include "parallel/reduction.hpp"
 
 namespace superstep::dynamics {
 
@@ -46,7 +46,8 @@ class StaggeredStepper final : public Stepper {
   std::optional<ThermalBridge> bridge_;
   Reduction reduction_;
   double wall_force_ = 0;
-  double travelled_ = 0;  // of the trial at hand: the longest way, in radii
+  double smallest_radius_;
+  double travelled_ = 0;  // of the trial at hand: the longest way, in smallest radii
   std::vector<Vec3> force_, force_begin_, position_, position_before_, velocity_;
   std::vector<double> rate_, rate_begin_, temperature_, temperature_before_;
   FieldError position_error_, temperature_error_;
@@ -66,7 +67,7 @@ class PlainStepper final : public Stepper {
   }
 
  private:
-  double fraction_;
+  double fraction_, smallest_radius_;
   MovingNetwork& network_;
   std::optional<ThermalBridge> bridge_;
   double limit_ = 0, wall_force_ = 0;

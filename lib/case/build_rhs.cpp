@@ -76,10 +76,9 @@ std::vector<KnownValue> known_values(const FieldScene& field) {
   return known;
 }
 
-FieldInput take_field(FieldScene& field) {
+FieldInput field_input(const FieldScene& field, Network network) {
   FieldInput input;
-  input.network = build_network(field.graph, field.roles, field.origin);
-  field.row_of_node = input.network.row_of_node;
+  input.network = std::move(network);
   input.pair_step = min_pair_step(field.graph, field.roles, field.bare);
   input.known = known_values(field);
   input.laws = field.laws;
@@ -87,6 +86,12 @@ FieldInput take_field(FieldScene& field) {
   input.low = field.low - field.origin;
   input.high = field.high - field.origin;
   return input;
+}
+
+FieldInput take_field(FieldScene& field) {
+  Network network = build_network(field.graph, field.roles, field.origin);
+  field.row_of_node = network.row_of_node;
+  return field_input(field, std::move(network));
 }
 
 void append_initial(const FieldScene& field, const Network& network, Scene& scene) {
@@ -226,6 +231,21 @@ void list_skips(Scene& scene) {
 }
 
 }  // namespace
+
+NonlinearInput nonlinear_input(const Scene& scene) {
+  NonlinearInput input;
+  for (const auto& field : scene.fields) {
+    if (field.view < 0) continue;
+    FieldInput one = field_input(field, build_network(field.graph, field.roles, field.origin));
+    if (field.name == "potential") {
+      input.potential = std::move(one);
+      if (dynamic_cast<const NonlinearRhs&>(*scene.rhs).heats()) input.joule = &field.graph;
+    } else {
+      input.temperature = std::move(one);
+    }
+  }
+  return input;
+}
 
 void build_rhs(const std::string& where, const Coupling& coupling, Scene& scene) {
   FieldScene* electric = find_field(scene, "potential");

@@ -1,16 +1,19 @@
 #include "network/cg_steady.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "core/index.hpp"
-#include "core/reduction.hpp"
+#include "parallel/reduction.hpp"
 
 namespace superstep {
 namespace {
 
-void multiply(const Network& network, const std::vector<double>& diagonal, const std::vector<double>& x,
+/// x holds the rows that are here and room for the halo behind them.
+void multiply(const Network& network, const std::vector<double>& diagonal, std::vector<double>& x,
               std::vector<double>& out) {
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  if (network.halo) network.halo->fetch(x.data(), x.data() + network.size());
+  for (std::size_t i = 0; i < network.size(); ++i) {
     double sum = diagonal[i] * x[i];
     for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k) {
       const auto e = static_cast<std::size_t>(k);
@@ -25,7 +28,7 @@ void multiply(const Network& network, const std::vector<double>& diagonal, const
 std::vector<double> approximate_steady_state(const Network& network, double tolerance) {
   constexpr int most_iterations = 20'000;
   const std::size_t n = network.size();
-  const Reduction reduction(n);
+  const Reduction reduction(std::array{n}, network.all_rows(), network.among());
   const auto dot = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return reduction.sum([&](std::size_t i) { return a[i] * b[i]; });
   };
@@ -39,6 +42,7 @@ std::vector<double> approximate_steady_state(const Network& network, double tole
   const double target = tolerance * std::sqrt(dot(residual, residual));
   precondition();
   std::vector<double> direction = preconditioned;
+  direction.resize(n + (network.halo ? network.halo->size() : 0));
   double rz = dot(residual, preconditioned);
   for (int k = 0; k < most_iterations && std::sqrt(dot(residual, residual)) > target; ++k) {
     multiply(network, diagonal, direction, image);

@@ -179,11 +179,25 @@ Network build_network(const Graph& graph, std::span<const NodeRole> roles, doubl
   return network;
 }
 
-bool Network::inputs_are_constant() const noexcept {
+std::size_t Network::all_rows() const noexcept {
+  return halo ? static_cast<std::size_t>(halo->partition().rows()) : size();
+}
+
+std::size_t Network::first_row() const noexcept {
+  return halo ? static_cast<std::size_t>(halo->partition().begin()) : 0;
+}
+
+bool Network::radiates() const {
+  return halo ? halo->among().any(!radiation.empty()) : !radiation.empty();
+}
+
+bool Network::inputs_are_constant() const {
   const auto is_constant = [](std::int32_t table) { return table < 0; };
-  return tabled_sources.empty() && std::all_of(ghost_table.begin(), ghost_table.end(), is_constant) &&
-         std::all_of(radiation.begin(), radiation.end(),
-                     [&](const auto& exchange) { return is_constant(exchange.table); });
+  const bool here = tabled_sources.empty() &&
+                    std::all_of(ghost_table.begin(), ghost_table.end(), is_constant) &&
+                    std::all_of(radiation.begin(), radiation.end(),
+                                [&](const auto& exchange) { return is_constant(exchange.table); });
+  return halo ? !halo->among().any(!here) : here;
 }
 
 std::vector<double> Network::ghost_conductance() const {

@@ -2,10 +2,12 @@
 /// The network as integrators need it: free nodes only, ordered for locality, fixed values as ghosts.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "network/graph.hpp"
+#include "parallel/halo.hpp"
 
 namespace superstep {
 
@@ -21,6 +23,9 @@ enum class NodeRole : char {
 ///   rows      row_begin[i] .. row_begin[i+1] hold the free neighbours of free node i
 ///   ghosts    edges from a free node to a node with a fixed value, or to the ambient that it convects to,
 ///             sorted by row
+///   halo      where several processes share a network, each has consecutive rows of it; columns beyond its
+///   own
+///             are values of rows that others have, in ascending order
 struct Network {
   struct GhostEdge {
     std::int32_t row, ghost;
@@ -31,23 +36,32 @@ struct Network {
   std::vector<std::int32_t> column;     ///< [nnz] free nodes, ascending in each row
   std::vector<double> conductance;      ///< [nnz] W/K or S; entry (i,j) equals entry (j,i)
   std::vector<GhostEdge> ghost_edges;
-  double origin = 0;                      ///< K or V: all values below are differences from it
-  std::vector<double> ghost_value;        ///< [g] K or V, at t = 0 where a table rules
-  std::vector<std::int32_t> ghost_node;   ///< [g] position in the graph; -1 for the ambient of a convection
-  std::vector<double> capacity;           ///< [n] J/K or F
-  std::vector<double> source;             ///< [n] W or A
-  std::vector<std::int32_t> node_of_row;  ///< [n] position in the graph
-  std::vector<std::int32_t> row_of_node;  ///< [graph nodes] row, or -1 for nodes that are not free
+  double origin = 0;                       ///< K or V: all values below are differences from it
+  std::vector<double> ghost_value;         ///< [g] K or V, at t = 0 where a table rules
+  std::vector<std::int32_t> ghost_node;    ///< [g] position in the graph; -1 for the ambient of a convection
+  std::vector<double> capacity;            ///< [n] J/K or F
+  std::vector<double> source;              ///< [n] W or A
+  std::vector<std::int32_t> node_of_row;   ///< [n] position in the graph
+  std::vector<std::int32_t> node_of_halo;  ///< [halo] the same of rows that others have
+  std::vector<std::int32_t> row_of_node;   ///< [graph nodes] row, or -1 for nodes that are not free
 
   std::vector<TimeTable> tables;             ///< those of values as differences from `origin`
   std::vector<std::int32_t> ghost_table;     ///< [g] index into tables, -1 = constant
   std::vector<TabledSource> tabled_sources;  ///< `node` is a row here
   std::vector<AmbientExchange> radiation;    ///< `node` is a row here, ascending
+  std::shared_ptr<Halo> halo;                ///< null: all rows are here
 
   [[nodiscard]] std::size_t size() const noexcept { return capacity.size(); }
   [[nodiscard]] std::size_t nonzeros() const noexcept { return column.size(); }
-  /// False when a fixed value, a source or an ambient follows a table of time.
-  [[nodiscard]] bool inputs_are_constant() const noexcept;
+  /// Those that share the network; null = all of it is here.
+  [[nodiscard]] Communicator* among() const noexcept { return halo ? &halo->among() : nullptr; }
+  /// Rows here and elsewhere, and the first one that is here.
+  [[nodiscard]] std::size_t all_rows() const noexcept;
+  [[nodiscard]] std::size_t first_row() const noexcept;
+  /// True when rows radiate, here or elsewhere.
+  [[nodiscard]] bool radiates() const;
+  /// False when a fixed value, a source or an ambient follows a table of time, here or elsewhere.
+  [[nodiscard]] bool inputs_are_constant() const;
   /// Row sums of conductances [n]: all edges, and the part that leads to fixed nodes.
   [[nodiscard]] std::vector<double> total_conductance() const;
   [[nodiscard]] std::vector<double> ghost_conductance() const;

@@ -169,6 +169,10 @@ struct RunRecord {
   int max_stages = 0, threads = 1;
   double cpu_setup = 0, cpu_prepare = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
   double peak_memory_mb = 0;                                                   ///< 1e6 bytes
+  int processes = 1;        ///< that took part; CPU times are their sums
+  std::string distributed;  ///< how several of them did it: exact | gathered; empty = there was one
+  std::uint64_t reductions = 0, halo_messages = 0, halo_bytes = 0;
+  double imbalance = 1;  ///< most entries of the network that a process has, over their mean
   std::vector<std::string> files, warnings;
   std::vector<SkippedWork> skips;
   std::vector<Fact> machine, libraries;

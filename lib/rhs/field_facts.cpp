@@ -10,7 +10,8 @@
 namespace superstep {
 namespace {
 
-/// Adds up what rows take from one table, rate of change per unit of the table; rows come in order.
+/// Adds up what rows take from one table, rate of change per unit of the table; rows come in order. Each
+/// counts by itself, so that the sum is the same whoever has the rows.
 class Weights {
  public:
   void add(std::int32_t row, double weight) noexcept {
@@ -18,18 +19,20 @@ class Weights {
     row_ = row;
     of_row_ += weight;
   }
-  [[nodiscard]] double rms(std::size_t rows) noexcept {
+  [[nodiscard]] double rms(std::size_t rows, Communicator* among) {
     finish();
-    return std::sqrt(sum_ / static_cast<double>(std::max<std::size_t>(1, rows)));
+    const double sum = among ? among->sum(sum_) : sum_.value();
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, rows)));
   }
 
  private:
   void finish() noexcept {
-    sum_ += of_row_ * of_row_;
+    if (of_row_ != 0) sum_.add(of_row_ * of_row_);
     of_row_ = 0;
   }
   std::int32_t row_ = -1;
-  double of_row_ = 0, sum_ = 0;
+  double of_row_ = 0;
+  ExactSum sum_;
 };
 
 /// A table that acts on no row may still act through a product: its knots are never taken for nothing.
@@ -68,6 +71,8 @@ void FieldOperator::find_facts() {
         std::max(std::abs(table.lowest()), std::abs(table.highest())) / network_.capacity[at(source.row)];
   }
   for (const double rate : largest_rate) facts_.source_rate = std::max(facts_.source_rate, rate);
+  auto* among = network_.among();
+  if (among) facts_.source_rate = among->max(facts_.source_rate);
   facts_.has_sources = facts_.source_rate > 0;
   const auto take = [&](double value, std::int32_t table) {
     if (table < 0) return facts_.ambient.take(value);
@@ -77,6 +82,7 @@ void FieldOperator::find_facts() {
   for (std::size_t g = 0; g < network_.ghost_node.size(); ++g)
     if (network_.ghost_node[g] < 0) take(network_.ghost_value[g], network_.ghost_table[g]);
   for (const auto& exchange : network_.radiation) take(exchange.ambient, exchange.table);
+  if (among) facts_.ambient = {among->min(facts_.ambient.low), among->max(facts_.ambient.high)};
 }
 
 void FieldOperator::add_breakpoints(std::size_t field, std::vector<Breakpoint>& points) const {
@@ -94,7 +100,8 @@ void FieldOperator::add_breakpoints(std::size_t field, std::vector<Breakpoint>& 
       const double largest = std::max(std::abs(table.lowest()), std::abs(table.highest()));
       weights[at(radiation.table)].add(radiation.row, 4 * radiation.rate * largest * largest * largest);
     }
-  for (std::size_t k = 0; k < tables.size(); ++k) add_knots(tables[k], weights[k].rms(size()), field, points);
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    add_knots(tables[k], weights[k].rms(network_.all_rows(), network_.among()), field, points);
 }
 
 std::vector<InputShape> FieldOperator::input_shapes() const {
@@ -107,7 +114,11 @@ std::vector<InputShape> FieldOperator::input_shapes() const {
   };
   for (const auto& ghost : ghosts_) add(network_.ghost_table[at(ghost.ghost)], ghost.row, ghost.rate);
   for (const auto& source : tabled_) add(source.table, source.row, 1 / network_.capacity[at(source.row)]);
-  std::erase_if(shapes, [](const auto& shape) { return shape.rates.empty(); });
+  auto* among = network_.among();
+  std::erase_if(shapes, [&](const auto& shape) {
+    const bool here = !shape.rates.empty();
+    return !(among ? among->any(here) : here);
+  });
   return shapes;
 }
 

@@ -24,7 +24,7 @@ void for_ends(const Graph& electric, std::span<const std::int32_t> slot_of_node,
 
 JouleHeat::JouleHeat(const Graph& electric, std::span<const std::int32_t> slot_of_node, std::size_t rows,
                      std::span<const double> capacity, std::span<const double> conductivity,
-                     ConductanceMean mean)
+                     ConductanceMean mean, std::span<const std::int64_t> order_of_slot)
     : begin_(rows + 1, 0), nodes_(slot_of_node.size()) {
   for_ends(electric, slot_of_node, rows,
            [&](std::size_t row, std::size_t, std::size_t) { ++begin_[row + 1]; });
@@ -40,7 +40,11 @@ JouleHeat::JouleHeat(const Graph& electric, std::span<const std::int32_t> slot_o
   });
   with_mean(mean, [&](auto mix) {
     for (std::size_t row = 0; row < rows; ++row) {
-      std::sort(ends.begin() + begin_[row], ends.begin() + begin_[row + 1]);
+      const auto key = [&](const auto& end) {
+        return std::pair(order_of_slot.empty() ? end.first : order_of_slot[at(end.first)], end.second);
+      };
+      std::sort(ends.begin() + begin_[row], ends.begin() + begin_[row + 1],
+                [&](const auto& a, const auto& b) { return key(a) < key(b); });
       for (auto k = begin_[row]; k < begin_[row + 1]; ++k) {
         const auto [other, branch] = ends[at(k)];
         const double a = conductivity[row], b = conductivity[at(other)];

@@ -18,9 +18,10 @@ class JouleHeat {
   ///   electric              the electric graph; branches between nodes of equal potential for ever may be
   ///   left out slot_of_node [nodes]; rows  number of temperature rows (their slots are 0 .. rows-1) capacity
   ///   [rows]       of the temperature [J/K] conductivity [slots]  for which the graph's conductances were
-  ///   computed [S/m]
+  ///   computed [S/m] order_of_slot [slots] in which the ends of a row are added up, where slots are not
   JouleHeat(const Graph& electric, std::span<const std::int32_t> slot_of_node, std::size_t rows,
-            std::span<const double> capacity, std::span<const double> conductivity, ConductanceMean mean);
+            std::span<const double> capacity, std::span<const double> conductivity, ConductanceMean mean,
+            std::span<const std::int64_t> order_of_slot = {});
 
   /// rate [rows] = Q_i/C_i [K/s] for potentials on the slots, with constant conductivities.
   void rate(std::span<const double> potential, std::span<double> out) const noexcept;

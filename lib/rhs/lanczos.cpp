@@ -1,6 +1,7 @@
 #include "rhs/lanczos.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,14 +10,16 @@ namespace {
 
 constexpr int check_every = 5;
 
-/// Deterministic start with a part in every eigenvector: pseudo-random entries of both signs.
-void fill_start(std::span<double> v) {
-  std::uint64_t state = 0x9E3779B97F4A7C15u;
-  for (double& entry : v) {
-    state ^= state << 13;  // xorshift64
-    state ^= state >> 7;
-    state ^= state << 17;
-    entry = static_cast<double>(state >> 11) * 0x1p-53 - 0.5;
+/// Deterministic start with a part in every eigenvector: pseudo-random entries of both signs, each made from
+/// its own row's number, so that whoever has the row gets the same.
+///   Source: the finaliser of SplitMix64, Steele, Lea & Flood (2014), doi:10.1145/2714064.2660195
+void fill_start(std::size_t first_row, std::span<double> v) {
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    std::uint64_t z = (first_row + i + 1) * 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    z ^= z >> 31;
+    v[i] = static_cast<double>(z >> 11) * 0x1p-53 - 0.5;
   }
 }
 
@@ -46,18 +49,24 @@ double SpectralEstimate::safe(double certified) const noexcept {
 
 SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const double> capacity,
                                     const LanczosLimits& limits) {
+  return largest_eigenvalue(apply, capacity, Reduction(capacity.size()), 0, limits);
+}
+
+SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const double> capacity,
+                                    const Reduction& reduction, std::size_t first_row,
+                                    const LanczosLimits& limits) {
   const std::size_t n = capacity.size();
-  const Reduction reduction(n);
   const auto dot = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return reduction.sum([&](std::size_t i) { return capacity[i] * a[i] * b[i]; });
   };
   std::vector<double> v(n), previous(n, 0.0), w(n), diagonal, off;
-  fill_start(v);
+  fill_start(first_row, v);
   SpectralEstimate estimate;
-  if (n == 0) return estimate;
+  if (reduction.total() == 0) return estimate;
   scale(v, 1 / std::sqrt(dot(v, v)));
   double beta = 0;
-  const int last_product = static_cast<int>(std::min<std::size_t>(n, static_cast<std::size_t>(limits.most)));
+  const int last_product =
+      static_cast<int>(std::min(reduction.total(), static_cast<std::size_t>(limits.most)));
   for (int k = 1; k <= last_product; ++k) {
     apply(v, w);
     estimate.products = k;
@@ -89,7 +98,8 @@ SpectralEstimate estimate_spectral_radius(Rhs& rhs, const LanczosLimits& limits)
       for (double& entry : product) entry = -entry;
     };
     const auto capacity = rhs.capacities().subspan(fields[f].offset, fields[f].count);
-    const auto estimate = largest_eigenvalue(minus_block, capacity, limits);
+    const Reduction of_field(std::array{fields[f].count}, fields[f].total(), rhs.reduction().among());
+    const auto estimate = largest_eigenvalue(minus_block, capacity, of_field, fields[f].first_row, limits);
     const int products = out.products + estimate.products;
     if (estimate.largest > out.largest) out = estimate;
     out.products = products;

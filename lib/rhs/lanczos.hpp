@@ -29,6 +29,12 @@ using Operator = std::function<void(std::span<const double> v, std::span<double>
 [[nodiscard]] SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const double> capacity,
                                                   const LanczosLimits& limits = {});
 
+/// The same where the entries are rows that several processes share.
+///   first_row  the one that comes first here
+[[nodiscard]] SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const double> capacity,
+                                                  const Reduction& reduction, std::size_t first_row,
+                                                  const LanczosLimits& limits);
+
 /// Spectral radius of the constant blocks of J [1/s], the largest among the fields; one
 /// sweep a product.
 [[nodiscard]] SpectralEstimate estimate_spectral_radius(Rhs& rhs, const LanczosLimits& limits = {});

@@ -7,7 +7,7 @@ namespace superstep {
 namespace {
 
 RhsTraits traits_of(const Network& network) {
-  const bool linear = network.radiation.empty();
+  const bool linear = !network.radiates();
   return {.linear = linear,
           .constant_jacobian = linear,
           .symmetric = true,
@@ -15,11 +15,20 @@ RhsTraits traits_of(const Network& network) {
           .constant_blocks = true};
 }
 
+FieldView view_of(const Network& network, std::string name, std::string unit) {
+  return {.name = std::move(name),
+          .unit = std::move(unit),
+          .count = network.size(),
+          .origin = network.origin,
+          .first_row = network.first_row(),
+          .elsewhere = network.all_rows() - network.size()};
+}
+
 }  // namespace
 
 NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step)
-    : Rhs(network.size(), traits_of(network),
-          {FieldView{std::move(field_name), std::move(unit), 0, 1, network.size(), network.origin}}),
+    : Rhs(network.size(), traits_of(network), {view_of(network, std::move(field_name), std::move(unit))},
+          network.among()),
       field_(std::make_shared<FieldOperator>(std::move(network))),
       bound_(spectral_bounds(field_->network()).smallest()) {
   find_facts(pair_step);
@@ -28,7 +37,7 @@ NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit
 NetworkRhs::NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_name, std::string unit,
                        double pair_step, RhsCounters& counters)
     : Rhs(field->size(), traits_of(field->network()),
-          {FieldView{std::move(field_name), std::move(unit), 0, 1, field->size(), field->network().origin}}),
+          {view_of(field->network(), std::move(field_name), std::move(unit))}, field->network().among()),
       field_(std::move(field)),
       bound_(spectral_bounds(field_->network()).smallest()) {
   count_into(counters);
@@ -37,7 +46,7 @@ NetworkRhs::NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_n
 
 void NetworkRhs::find_facts(double pair_step) {
   facts_.pair_step = pair_step;
-  facts_.radiates = !network().radiation.empty();
+  facts_.radiates = network().radiates();
   facts_.fields = {field_->facts()};
   field_->add_breakpoints(0, facts_.breakpoints);
   merge_breakpoints(facts_.breakpoints);
@@ -50,27 +59,28 @@ void NetworkRhs::do_stage(double t, const Stage& stage, std::span<double> out) {
 
 void NetworkRhs::do_chain(std::span<ChainedStage> stages, bool with_inflow, ChainObserver* observer) {
   field_->chain(stages, with_inflow, drive_, observer);
-  if (drive_.empty() || !with_inflow) return;
+  if (!driven_ || !with_inflow) return;
   const double driven = drive_inflow();
   for (auto& stage : stages) stage.inflow += driven;
 }
 
 void NetworkRhs::drive(std::span<const double> rate) {
   drive_ = rate;
+  driven_ = reduction().any(!rate.empty());
   FieldFacts& facts = facts_.fields.front();  // rates are sources, and methods size their work by them
   facts = field_->facts();
   for (const double r : rate) facts.source_rate = std::max(facts.source_rate, std::abs(r));
+  facts.source_rate = reduction().largest(facts.source_rate);
   facts.has_sources = facts.source_rate > 0;
 }
 
-double NetworkRhs::drive_inflow() const noexcept {
-  double sum = 0;
-  for (std::size_t i = 0; i < drive_.size(); ++i) sum += network().capacity[i] * drive_[i];
-  return sum;
+double NetworkRhs::drive_inflow() const {
+  return reduction().sum([&](std::size_t i) { return network().capacity[i] * drive_[i]; });
 }
 
 double NetworkRhs::inflow(double t, std::span<const double> y) {
-  return field_->inflow(t, y) + drive_inflow();
+  const double own = field_->inflow(t, y);
+  return driven_ ? own + drive_inflow() : own;
 }
 
 void NetworkRhs::do_linear_stage(const Stage& stage, std::span<double> out) {
@@ -82,11 +92,13 @@ void NetworkRhs::do_block_product(std::size_t /*field*/, std::span<const double>
 }
 
 SparsePattern NetworkRhs::build_pattern() {
-  return assembly_.build(size(), [&](auto add) { field_->jacobian(field_->network().source, add); });
+  return assembly_.build(size(),
+                         [&](auto add) { field_->jacobian(field_->network().source, only_here(add)); });
 }
 
 void NetworkRhs::do_jacobian(double /*t*/, std::span<const double> y, std::span<double> values) {
-  assembly_.fill(values, [&](auto add) { field_->jacobian(y, add); });
+  (void)own_pattern();
+  assembly_.fill(values, [&](auto add) { field_->jacobian(y, only_here(add)); });
 }
 
 double NetworkRhs::spectral_bound(double t, std::span<const double> y) {

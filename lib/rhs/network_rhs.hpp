@@ -44,11 +44,12 @@ class NetworkRhs final : public Rhs {
   void do_jacobian(double t, std::span<const double> y, std::span<double> values) override;
   [[nodiscard]] SparsePattern build_pattern() override;
 
-  [[nodiscard]] double drive_inflow() const noexcept;
+  [[nodiscard]] double drive_inflow() const;
   void find_facts(double pair_step);
 
   std::shared_ptr<FieldOperator> field_;
   std::span<const double> drive_;
+  bool driven_ = false;  ///< here or elsewhere
   JacobianAssembly assembly_;
   double bound_;
 };

@@ -8,6 +8,17 @@
 namespace superstep {
 namespace {
 
+/// Column of a row of the other field that another process has.
+constexpr auto across_elsewhere = column_elsewhere - 1;
+
+/// Passes on what stands in columns that are here.
+template <class Add>
+auto only_own(Add add) {
+  return [add](std::size_t row, std::size_t column, double value) mutable {
+    if (column < across_elsewhere) add(row, column, value);
+  };
+}
+
 const SlotConductivity* pointer_to(const std::optional<SlotConductivity>& value) noexcept {
   return value ? &*value : nullptr;
 }
@@ -16,12 +27,17 @@ const SlotConductivity* pointer_to(const std::optional<SlotConductivity>& value)
 
 /// Every contribution to df/dy, the same ones in the same order at every state. The steady potential counts
 /// as given: what it owes to the temperatures is left out, which costs Newton an iteration and no accuracy.
+/// Columns of rows that other processes have are `column_elsewhere`, or `across_elsewhere` where the row is
+/// of the other field.
 template <class Add>
 void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add add) {
   update_conductances(t, y.data() + temperature_offset_);
   const std::size_t rows = thermal_->size();
   const auto add_temperature = [&](std::size_t row, std::size_t slot, double value) {
-    if (slot < rows) add(row, temperature_offset_ + slot, value);
+    if (slot < rows)
+      add(row, temperature_offset_ + slot, value);
+    else if (!kind_of_slot_.empty() && kind_of_slot_[slot].temperature_elsewhere)
+      add(row, row < temperature_offset_ ? across_elsewhere : column_elsewhere, value);
   };
   const auto thermal_row = [&](std::size_t row, std::size_t slot, double value) {
     add_temperature(temperature_offset_ + row, slot, value);
@@ -38,7 +54,7 @@ void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add a
                               add_temperature);
   }
   thermal_->jacobian(temperature_of(y), [&](std::size_t row, std::size_t column, double value) {
-    add(temperature_offset_ + row, temperature_offset_ + column, value);
+    add(temperature_offset_ + row, column == column_elsewhere ? column : temperature_offset_ + column, value);
   });
   if (thermal_law_)
     thermal_law_->jacobian(*thermal_conductivity_, *thermal_, thermal_->ghost_values(t), temperature_of(y),
@@ -49,19 +65,22 @@ void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add a
   const auto add_potential = [&](std::size_t row, std::size_t slot, double value) {
     if (!steps_potential()) return;
     const auto entry = row_of_potential_slot_[slot];
-    if (entry >= 0) add(temperature_offset_ + row, static_cast<std::size_t>(entry), value);
+    if (entry >= 0)
+      add(temperature_offset_ + row, static_cast<std::size_t>(entry), value);
+    else if (!kind_of_slot_.empty() && kind_of_slot_[slot].potential_elsewhere)
+      add(temperature_offset_ + row, across_elsewhere, value);
   };
   joule_->jacobian(potential, pointer_to(electric_conductivity_), add_potential, thermal_row);
 }
 
 SparsePattern NonlinearRhs::build_pattern() {
   const std::vector<double> state(size(), 1.0);
-  return assembly_.build(size(), [&](auto add) { enumerate_jacobian(0, state, add); });
+  return assembly_.build(size(), [&](auto add) { enumerate_jacobian(0, state, only_own(add)); });
 }
 
 void NonlinearRhs::do_jacobian(double t, std::span<const double> y, std::span<double> values) {
-  (void)pattern();
-  assembly_.fill(values, [&](auto add) { enumerate_jacobian(t, y, add); });
+  (void)own_pattern();
+  assembly_.fill(values, [&](auto add) { enumerate_jacobian(t, y, only_own(add)); });
 }
 
 double NonlinearRhs::spectral_bound(double t, std::span<const double> y) {
@@ -84,7 +103,9 @@ double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
   own.assign(size(), 0.0);
   cross.assign(size(), 0.0);
   enumerate_jacobian(t, y, [&](std::size_t row, std::size_t column, double value) {
-    const bool same = (row < temperature_offset_) == (column < temperature_offset_);
+    const bool same =
+        column == column_elsewhere ||
+        (column != across_elsewhere && (row < temperature_offset_) == (column < temperature_offset_));
     (same ? own : cross)[row] += std::abs(value);
   });
   double a = 0, b = 0, c = 0, e = 0;
@@ -96,6 +117,7 @@ double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
     c = std::max(c, own[i]);
     e = std::max(e, cross[i]);
   }
+  for (double* sum : {&a, &b, &c, &e}) *sum = reduction().largest(*sum);
   if (b == 0 || e == 0) return std::max(a, c);  // triangular: the cross terms do not reach the spectrum
   const double mean = std::sqrt(b) * std::sqrt(e), half = 0.5 * (c - a);  // sqrt(b e) could underflow
   const double larger = std::abs(half) + std::hypot(half, mean), smaller = mean * (mean / larger);
@@ -103,7 +125,7 @@ double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
   double bound = 0;
   for (std::size_t i = 0; i < size(); ++i)
     bound = std::max(bound, own[i] + (i < temperature_offset_ ? up * (cross[i] / b) : down * (cross[i] / e)));
-  return bound;
+  return reduction().largest(bound);
 }
 
 }  // namespace superstep

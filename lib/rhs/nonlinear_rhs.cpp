@@ -17,7 +17,7 @@ namespace {
 
 bool linear(const NonlinearInput& input) {
   const bool laws = input.temperature.varies() || (input.potential && input.potential->varies());
-  return !laws && !input.joule && input.temperature.network.radiation.empty();
+  return !laws && !input.joule && !input.temperature.network.radiates();
 }
 
 bool autonomous(const NonlinearInput& input) {
@@ -27,8 +27,9 @@ bool autonomous(const NonlinearInput& input) {
 
 RhsTraits traits_of(const NonlinearInput& input) {
   const bool laws = input.temperature.varies() || (input.potential && input.potential->varies());
-  return {.linear = linear(input),
-          .constant_jacobian = linear(input),
+  const bool is_linear = linear(input);
+  return {.linear = is_linear,
+          .constant_jacobian = is_linear,
           .symmetric = !laws && !input.joule,
           .autonomous = autonomous(input),
           .constant_blocks = !laws};
@@ -38,15 +39,24 @@ bool potential_in_state(const NonlinearInput& input) noexcept {
   return input.potential && !input.steady_potential;
 }
 
+FieldView view_of(const char* name, const char* unit, std::size_t offset, const Network& network) {
+  return {.name = name,
+          .unit = unit,
+          .offset = offset,
+          .count = network.size(),
+          .origin = network.origin,
+          .first_row = network.first_row(),
+          .elsewhere = network.all_rows() - network.size()};
+}
+
 std::vector<FieldView> views_of(const NonlinearInput& input) {
   std::vector<FieldView> views;
   std::size_t offset = 0;
   if (potential_in_state(input)) {
     offset = input.potential->network.size();
-    views.push_back({"potential", "V", 0, 1, offset});
+    views.push_back(view_of("potential", "V", 0, input.potential->network));
   }
-  const Network& thermal = input.temperature.network;
-  views.push_back({"temperature", "K", offset, 1, thermal.size(), thermal.origin});
+  views.push_back(view_of("temperature", "K", offset, input.temperature.network));
   return views;
 }
 
@@ -68,7 +78,12 @@ NodeValues values_on_slots(const FieldInput& field, const std::vector<std::int32
   for (const auto node : field.network.node_of_row) slot_of_row.push_back(slot_of_node[at(node)]);
   std::vector<KnownValue> known = field.known;
   for (auto& entry : known) entry.node = slot_of_node[at(entry.node)];
-  return {std::move(slot_of_row), std::move(known), field.network.tables};
+  NodeValues values(std::move(slot_of_row), std::move(known), field.network.tables);
+  if (!field.node_halo) return values;
+  std::vector<std::int32_t> slot_of_halo;
+  for (const auto node : field.node_of_halo) slot_of_halo.push_back(slot_of_node[at(node)]);
+  values.share(field.node_halo, std::move(slot_of_halo));
+  return values;
 }
 
 SlotConductivity conductivity_on_slots(const FieldInput& field,
@@ -86,6 +101,15 @@ std::vector<double> reference_conductivity(const FieldInput& field,
   for (std::size_t node = 0; node < slot_of_node.size(); ++node)
     reference[at(slot_of_node[node])] = field.laws.of_node(static_cast<std::int32_t>(node)).value;
   return reference;
+}
+
+/// The place of each slot among those of the whole scene [slots]; empty where that is the slot itself.
+std::vector<std::int64_t> order_of_slots(const NonlinearInput& input,
+                                         const std::vector<std::int32_t>& slot_of_node) {
+  std::vector<std::int64_t> order(input.order_of_node.size());
+  for (std::size_t node = 0; node < order.size(); ++node)
+    order[at(slot_of_node[node])] = input.order_of_node[node];
+  return order;
 }
 
 template <class T>
@@ -110,11 +134,11 @@ bool FieldInput::varies() const noexcept {
 }
 
 NonlinearRhs::NonlinearRhs(NonlinearInput input)
-    : Rhs(size_of(input), traits_of(input), views_of(input)),
+    : Rhs(size_of(input), traits_of(input), views_of(input), input.among()),
       temperature_offset_(potential_in_state(input) ? input.potential->network.size() : 0),
       slot_of_node_(number_slots(input.temperature.network)),
       id_(input.temperature.id),
-      radiates_(!input.temperature.network.radiation.empty()) {
+      radiates_(input.temperature.network.radiates()) {
   if (potential_in_state(input)) capacity_ = input.potential->network.capacity;
   const auto& thermal_capacity = input.temperature.network.capacity;
   capacity_.insert(capacity_.end(), thermal_capacity.begin(), thermal_capacity.end());
@@ -129,6 +153,13 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
   joule_rate_.assign(thermal_->size(), 0.0);
   own_sum_.reserve(size());
   cross_sum_.reserve(size());
+  if (input.among()) {
+    kind_of_slot_.resize(slot_of_node_.size());
+    for (const auto node : input.temperature.node_of_halo)
+      kind_of_slot_[at(slot_of_node_[at(node)])].temperature_elsewhere = true;
+    for (std::size_t k = 0; input.potential && k < input.potential->node_of_halo.size(); ++k)
+      kind_of_slot_[at(slot_of_node_[at(input.potential->node_of_halo[k])])].potential_elsewhere = true;
+  }
   if (!input.potential) {
     find_facts(input);
     return;
@@ -139,7 +170,7 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
   if (potential.varies()) electric_conductivity_.emplace(conductivity_on_slots(potential, slot_of_node_));
   if (input.joule) {
     joule_.emplace(*input.joule, slot_of_node_, thermal_->size(), thermal_->network().capacity, reference,
-                   potential.laws.mean);
+                   potential.laws.mean, order_of_slots(input, slot_of_node_));
   }
   auto values = values_on_slots(potential, slot_of_node_);
   if (input.steady_potential) {
@@ -231,11 +262,12 @@ void NonlinearRhs::do_block_product(std::size_t field, std::span<const double> v
 double NonlinearRhs::inflow(double t, std::span<const double> y) {
   update_conductances(t, y.data() + temperature_offset_);
   update_joule(t, y.data());
-  double sum = thermal_->inflow(t, temperature_of(y));
+  const double sum = thermal_->inflow(t, temperature_of(y));
   if (!joule_) return sum;
   const auto& capacity = thermal_->network().capacity;
-  for (std::size_t i = 0; i < joule_rate_.size(); ++i) sum += capacity[i] * joule_rate_[i];
-  return sum;
+  RowSum heat;
+  for (std::size_t i = 0; i < joule_rate_.size(); ++i) heat.add(i, capacity[i] * joule_rate_[i]);
+  return sum + reduction().sum(heat.exact());
 }
 
 double NonlinearRhs::linear_inflow(std::span<const double> v) const {
@@ -243,6 +275,14 @@ double NonlinearRhs::linear_inflow(std::span<const double> v) const {
 }
 
 std::optional<std::string> NonlinearRhs::law_violation(std::span<const double> y, double slack) {
+  const bool limited = (thermal_conductivity_ && thermal_conductivity_->limited()) ||
+                       (electric_conductivity_ && electric_conductivity_->limited());
+  if (!limited) return std::nullopt;
+  const auto violation = violation_here(y, slack);
+  return reduction().among() ? reduction().among()->first_of(violation) : violation;
+}
+
+std::optional<std::string> NonlinearRhs::violation_here(std::span<const double> y, double slack) const {
   const auto temperature = temperature_of(y);  // its rows are the first slots
   for (const auto* conductivity : {pointer_to(thermal_conductivity_), pointer_to(electric_conductivity_)}) {
     const auto slot = conductivity ? conductivity->first_outside(temperature, slack) : std::nullopt;

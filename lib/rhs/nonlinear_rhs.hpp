@@ -23,6 +23,9 @@ struct FieldInput {
   ConductionLaws laws;            ///< of_material is never empty
   std::vector<std::int64_t> id;   ///< the user's ids by graph position, for messages; may be empty
   double low = 0, high = 0;       ///< range of initial and fixed values
+  /// Where processes share the field: its rows that others have and nodes here need, and the nodes they are.
+  std::shared_ptr<Halo> node_halo = nullptr;
+  std::vector<std::int32_t> node_of_halo = {};
   [[nodiscard]] bool varies() const noexcept;
 };
 
@@ -32,6 +35,9 @@ struct NonlinearInput {
   bool steady_potential = false;  ///< solved for, not part of the state
   double resolve_change = 1e-6;   ///< steady: relative change of a conductivity that asks for a new solve
   const Graph* joule = nullptr;   ///< electric graph whose branches heat; null = they do not
+  /// [nodes] where processes share the scene: the place of a node among the slots of all of it.
+  std::vector<std::int64_t> order_of_node = {};
+  [[nodiscard]] Communicator* among() const noexcept { return temperature.network.among(); }
 };
 
 class NonlinearRhs final : public Rhs, public OneWayCoupling {
@@ -57,6 +63,10 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   void drive(std::span<const double> rate) override;
   [[nodiscard]] std::vector<double> steady_driver(double residual) override;
 
+  /// Whether a potential is solved for at every state, and whether branches heat.
+  [[nodiscard]] bool solves_for_potential() const noexcept { return steady_ != nullptr; }
+  [[nodiscard]] bool heats() const noexcept { return joule_.has_value(); }
+
   /// Steady scenes: potentials on the rows of the electric network for a state (the temperatures).
   [[nodiscard]] std::span<const double> steady_potential(double t, std::span<const double> temperature);
 
@@ -75,6 +85,8 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   void update_conductivities(double t, const double* temperature);
   /// Conductances for the temperatures in y, for what needs them as a matrix; stages form their own.
   void update_conductances(double t, const double* temperature);
+  /// Which law the rows that are here go beyond.
+  [[nodiscard]] std::optional<std::string> violation_here(std::span<const double> y, double slack) const;
   /// Joule heating of the rows at (t, y) [K/s], in joule_rate_.
   void update_joule(double t, const double* y);
   template <class Add>
@@ -95,6 +107,10 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   std::unique_ptr<SteadyPotential> steady_;
   std::optional<JouleHeat> joule_;
   std::vector<std::int32_t> row_of_potential_slot_;  ///< [slots] -1 = not a row
+  struct SlotKind {
+    bool temperature_elsewhere = false, potential_elsewhere = false;  ///< a row that another process has
+  };
+  std::vector<SlotKind> kind_of_slot_;  ///< [slots], only where processes share the scene
   std::vector<double> own_sum_, cross_sum_;
   std::vector<double> joule_rate_;                 ///< [temperature rows] K/s
   double thermal_bound_ = 0, electric_bound_ = 0;  ///< of constant conductances [1/s]

@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "core/reduction.hpp"
 #include "core/time_table.hpp"
+#include "parallel/reduction.hpp"
 #include "rhs/kernels/sparse_pattern.hpp"
 #include "rhs/rhs_facts.hpp"
 #include "rhs/stage.hpp"
@@ -27,12 +28,15 @@ struct RhsTraits {
   bool constant_blocks = false;
 };
 
-/// One field's entries inside the state: offset, offset + stride, ... (count of them).
+/// One field's entries inside the state: offset, offset + stride, ... (count of them). Where processes share
+/// a state, each has consecutive rows of every field.
 struct FieldView {
   std::string name;  ///< "temperature" or "potential"
   std::string unit;  ///< "K" or "V"
   std::size_t offset = 0, stride = 1, count = 0;
-  double origin = 0;  ///< K or V: entries are differences from it
+  double origin = 0;                         ///< K or V: entries are differences from it
+  std::size_t first_row = 0, elsewhere = 0;  ///< of all rows, the one that comes first here; those not here
+  [[nodiscard]] std::size_t total() const noexcept { return count + elsewhere; }
 };
 
 /// Work done by a right-hand side since the last reset.
@@ -52,6 +56,12 @@ struct InputShape {
   std::vector<Rate> rates;  ///< to be added up: an entry may be there several times
 };
 
+/// Thrown by one of several processes that share a right-hand side, and then by all of them, when it is asked
+/// for what only one that has the whole of it can give.
+struct NeedsWhole : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 class OneWayCoupling;
 
 class Rhs {
@@ -64,6 +74,8 @@ class Rhs {
   [[nodiscard]] const RhsFacts& facts() const noexcept { return facts_; }
   [[nodiscard]] const Reduction& reduction() const noexcept { return reduction_; }
   [[nodiscard]] const RhsCounters& counters() const noexcept { return *counters_; }
+  /// Its own among all right-hand sides of this program's life.
+  [[nodiscard]] std::uint64_t identity() const noexcept { return identity_; }
 
   /// dydt = f(t, y). One sweep.
   void operator()(double t, std::span<const double> y, std::span<double> dydt) {
@@ -94,13 +106,19 @@ class Rhs {
   }
   /// A product with an assembled Jacobian is the work of a sweep, too: whoever makes one says so.
   void count_product() noexcept { counters_->sweeps += networks_swept_; }
-  /// Values of the Jacobian df/dy at (t, y) on `pattern()` [1/s].
+  /// Values of the Jacobian df/dy at (t, y) on `own_pattern()` [1/s].
   void jacobian(double t, std::span<const double> y, std::span<double> values) {
     ++counters_->jacobians;
     do_jacobian(t, y, values);
   }
   /// Sparsity of the Jacobian; built at the first call, so that methods without matrices never pay for it.
+  /// Throws NeedsWhole where processes share it.
   [[nodiscard]] const SparsePattern& pattern() {
+    if (reduction_.among()) throw NeedsWhole("it forms a matrix of the whole network");
+    return own_pattern();
+  }
+  /// The same; where processes share it, of the rows and columns that are here.
+  [[nodiscard]] const SparsePattern& own_pattern() {
     if (pattern_.column_begin.empty()) pattern_ = build_pattern();
     return pattern_;
   }
@@ -144,8 +162,8 @@ class Rhs {
   virtual void ask_accuracy(double /*relative*/) {}
 
  protected:
-  Rhs(std::size_t size, RhsTraits traits, std::vector<FieldView> fields)
-      : reduction_(size), traits_(traits), fields_(std::move(fields)) {}
+  ///   among  the processes that share it, null = all of it is here
+  Rhs(std::size_t size, RhsTraits traits, std::vector<FieldView> fields, Communicator* among = nullptr);
   Rhs(const Rhs&) = delete;
   Rhs& operator=(const Rhs&) = delete;
 
@@ -167,6 +185,7 @@ class Rhs {
   std::vector<FieldView> fields_;
   RhsCounters own_counters_, *counters_ = &own_counters_;
   SparsePattern pattern_;
+  std::uint64_t identity_;
 };
 
 }  // namespace superstep

@@ -54,8 +54,22 @@ RunLimits run_limits(const Arguments& values, double seconds) {
   return limits;
 }
 
+namespace {
+
+std::size_t parse_block_rows(const std::string& text) {
+  constexpr std::int64_t slice = 8, most = std::int64_t{1} << 30;
+  if (text.empty()) return 0;
+  const auto rows = parse_integer_option("--block-rows", text, slice, most);
+  if (rows % slice != 0)
+    throw UsageError(fmt::format("--block-rows {} is not valid; it must be a multiple of {}", rows, slice));
+  return static_cast<std::size_t>(rows);
+}
+
+}  // namespace
+
 CommonOptions common_options(const Arguments& values) {
   return {.threads = static_cast<int>(parse_integer_option("--threads", values.threads, 1, 1024)),
+          .block_rows = parse_block_rows(values.block_rows),
           .quiet = values.quiet,
           .json = values.json,
           .color = parse_color_mode(values.color)};

@@ -227,8 +227,9 @@ Outcome Driver::look_at(std::span<const double> y) {
   return guard_.check(t_, y, *rhs_);
 }
 
-Outcome Driver::may_go_on() const {
+Outcome Driver::may_go_on() {
   constexpr std::uint64_t most_steps = 1'000'000'000'000;
+  guard_.agree(*rhs_);
   if (guard_.stop_requested()) return interrupted_at(t_);
   if (counted_.steps > most_steps)
     return {

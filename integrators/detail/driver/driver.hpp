@@ -75,7 +75,7 @@ class Driver {
   [[nodiscard]] Outcome too_short(std::string why) const;
   [[nodiscard]] Outcome look_at(std::span<const double> y);
   /// Not ok when the run must not go on: somebody wants it to stop, or its work is beyond what it may be.
-  [[nodiscard]] Outcome may_go_on() const;
+  [[nodiscard]] Outcome may_go_on();
   void settle_if_steady();
   void unsettle();
   void complete_state();

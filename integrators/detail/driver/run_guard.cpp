@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace superstep {
 namespace {
@@ -24,7 +25,23 @@ void RunGuard::prepare(const Rhs& rhs, const Plan& plan) {
   stop_ = plan.stop;
 }
 
+void RunGuard::agree(const Rhs& rhs) {
+  Communicator* among = rhs.reduction().among();
+  if (!among) return;
+  constexpr unsigned most_silent = 8;
+  if (among->traffic().reductions == reductions_ && ++silent_ >= most_silent) (void)among->any(false);
+  if (among->traffic().reductions != reductions_) silent_ = 0;
+  reductions_ = among->traffic().reductions;
+}
+
 Outcome RunGuard::check(double t, std::span<const double> y, const Rhs& rhs) const {
+  auto growth = growth_of(t, y, rhs);
+  if (Communicator* among = rhs.reduction().among()) growth = among->first_of(growth);
+  if (growth) return {Status::unstable, std::move(*growth)};
+  return {};
+}
+
+std::optional<std::string> RunGuard::growth_of(double t, std::span<const double> y, const Rhs& rhs) const {
   const auto fields = rhs.fields();
   const std::size_t settled = ranges_.size() - fields.size();
   for (std::size_t f = 0; f < fields.size(); ++f) {
@@ -34,16 +51,14 @@ Outcome RunGuard::check(double t, std::span<const double> y, const Rhs& rhs) con
     const double slack = allowed_spans * range.span() + rounding + std::numeric_limits<double>::min();
     for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride) {
       if (y[i] >= range.low - slack && y[i] <= range.high + slack) continue;  // false for NaN as well
-      return {
-          Status::unstable,
-          fmt::format(
-              "at t = {:.6g} s the {} of a node is {:.6g} {}, while initial and fixed values, surroundings "
-              "and sources allow {:.6g} to {:.6g}: errors grow; take a smaller step",
-              t, fields[f].name, y[i] + fields[f].origin, fields[f].unit, range.low + fields[f].origin,
-              range.high + fields[f].origin)};
+      return fmt::format(
+          "at t = {:.6g} s the {} of a node is {:.6g} {}, while initial and fixed values, surroundings "
+          "and sources allow {:.6g} to {:.6g}: errors grow; take a smaller step",
+          t, fields[f].name, y[i] + fields[f].origin, fields[f].unit, range.low + fields[f].origin,
+          range.high + fields[f].origin);
     }
   }
-  return {};
+  return std::nullopt;
 }
 
 Outcome interrupted_at(double t) {

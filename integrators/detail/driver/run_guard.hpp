@@ -1,7 +1,9 @@
 #pragma once
 /// Watches a run from outside its arithmetic: growth beyond what the physics allows, and the wish to stop.
 
+#include <optional>
 #include <span>
+#include <string>
 
 #include "integrators/integrator.hpp"
 
@@ -19,13 +21,22 @@ class RunGuard {
   [[nodiscard]] bool stop_requested() const noexcept {
     return stop_ && stop_->load(std::memory_order_relaxed);
   }
+  /// Processes that share a run agree on the wish to stop in their sums; where steps have none, in one of
+  /// their own now and then. Call it at every step end.
+  void agree(const Rhs& rhs);
 
   static constexpr unsigned stride = 64;
 
  private:
+  /// What has grown among the rows that are here.
+  [[nodiscard]] std::optional<std::string> growth_of(double t, std::span<const double> y,
+                                                     const Rhs& rhs) const;
+
   std::vector<FieldRange> ranges_;
   std::vector<double> source_rate_;  // [fields]
   double t_begin_ = 0;
+  std::uint64_t reductions_ = 0;  ///< of the processes, by the last step end
+  unsigned silent_ = 0;           ///< step ends since
   const std::atomic<bool>* stop_ = nullptr;
 };
 

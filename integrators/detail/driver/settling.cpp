@@ -8,7 +8,7 @@ namespace {
 
 double rms_distance(const Reduction& reduction, std::span<const double> a, std::span<const double> b) {
   const double sum = reduction.sum([&](std::size_t i) { return (a[i] - b[i]) * (a[i] - b[i]); });
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, reduction.size())));
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, reduction.total())));
 }
 
 }  // namespace

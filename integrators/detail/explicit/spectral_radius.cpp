@@ -11,6 +11,7 @@ void SpectralRadius::prepare(Rhs& rhs, std::span<const double> spans) {
   spans_.assign(spans.begin(), spans.end());
   seen_.clear();
   if (varies() && !rhs.traits().constant_blocks) seen_.reserve(rhs.size());
+  has_seen_ = false;
   blocks_ = -1;
 }
 
@@ -19,15 +20,18 @@ bool SpectralRadius::varies() const noexcept {
          !(rhs_->traits().constant_blocks && rhs_->facts().radiates == false);
 }
 
-bool SpectralRadius::moved(std::span<const double> y) const noexcept {
+bool SpectralRadius::moved(std::span<const double> y) const {
   constexpr double part = 0.01;
-  const auto fields = rhs_->fields();
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const double allowed = part * spans_[f];
-    for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
-      if (!(std::abs(y[i] - seen_[i]) <= allowed)) return true;
-  }
-  return false;
+  const auto moved_here = [&] {
+    const auto fields = rhs_->fields();
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      const double allowed = part * spans_[f];
+      for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
+        if (!(std::abs(y[i] - seen_[i]) <= allowed)) return true;
+    }
+    return false;
+  };
+  return rhs_->reduction().any(moved_here());
 }
 
 double SpectralRadius::at(double t, std::span<const double> y) {
@@ -41,9 +45,10 @@ double SpectralRadius::at(double t, std::span<const double> y) {
     return blocks_ + beyond;
   }
   constexpr double reserve = 1.03;  // for the states between one evaluation and the next
-  if (seen_.empty() || moved(y)) {
+  if (!has_seen_ || moved(y)) {
     bound_ = reserve * rhs_->spectral_bound(t, y);
     seen_.assign(y.begin(), y.end());
+    has_seen_ = true;
   }
   return bound_;
 }

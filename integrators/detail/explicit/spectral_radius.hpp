@@ -20,11 +20,12 @@ class SpectralRadius {
   [[nodiscard]] bool varies() const noexcept;
 
  private:
-  [[nodiscard]] bool moved(std::span<const double> y) const noexcept;
+  [[nodiscard]] bool moved(std::span<const double> y) const;
 
   bool sharp_;
   Rhs* rhs_ = nullptr;
   std::vector<double> spans_, seen_;
+  bool has_seen_ = false;
   double blocks_ = -1, bound_ = 0;  ///< of the constant blocks, -1 = not found yet; of the state `seen_`
 };
 

@@ -173,7 +173,7 @@ Outcome ChebyshevPropagator::expand_change() {
   double largest = 1;  // of the W_k so far, rms in spans
   const auto rms = [&](const StateVector& v) {
     const double squares = rhs().reduction().sum([&](std::size_t i) { return v[i] * v[i]; });
-    return std::sqrt(squares / static_cast<double>(n));
+    return std::sqrt(squares / static_cast<double>(rhs().reduction().total()));
   };
   for (std::size_t k = 0; k < terms_; ++k) {
     if (k > 0) {

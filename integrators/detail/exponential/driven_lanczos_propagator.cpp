@@ -23,7 +23,8 @@ double sum_of(std::span<const double> values) {
 }  // namespace
 
 void DrivenLanczosPropagator::allocate() {
-  const double vector = static_cast<double>(std::max<std::size_t>(1, rhs().size()) * sizeof(double));
+  const double vector =
+      static_cast<double>(std::max<std::size_t>(1, rhs().reduction().total()) * sizeof(double));
   constexpr double most_ever = 40'000;
   most_vectors_ = static_cast<std::size_t>(std::min(memory_ / vector, most_ever));
   inputs_.clear();
@@ -31,7 +32,9 @@ void DrivenLanczosPropagator::allocate() {
   const auto capacity = rhs().capacities();
   for (auto& shape : rhs().input_shapes()) {
     Input& input = inputs_.emplace_back(rhs());
-    for (const auto& rate : shape.rates) input.inflow_rate += capacity[at(rate.entry)] * rate.rate;
+    ExactSum inflow;
+    for (const auto& rate : shape.rates) inflow.add(capacity[at(rate.entry)] * rate.rate);
+    input.inflow_rate = rhs().reduction().sum(inflow);
     input.shape = std::move(shape);
   }
 }

@@ -75,7 +75,7 @@ ExponentialWork work_of_exponential(Rhs& rhs, const Task& task, double rtol, dou
   const double shortest = first == outputs.end() ? time : *first - task.t_begin;
   return {.t_rho = time * rhs.spectral_bound(task.t_begin, zero),
           .rtol = rtol,
-          .unknowns = static_cast<double>(rhs.size()),
+          .unknowns = static_cast<double>(rhs.reduction().total()),
           .output_decades = shortest > 0 && time > shortest ? std::log10(time / shortest) : 0,
           .memory = memory,
           .one_field = rhs.traits().linear,

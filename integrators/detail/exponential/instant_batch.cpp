@@ -22,14 +22,14 @@ void InstantBatch::prepare(Rhs& rhs, const Task& task) {
   const std::size_t stretches = takes_breakpoints() ? 1 : task.propagations;
   const std::size_t passes = stretches + (keeps_origin() ? 0 : (states - 1) / most_states);
   const auto capacity = rhs.capacities();
-  double total = 0, smallest = std::numeric_limits<double>::infinity();
-  for (const double c : capacity) {
-    total += c;
-    smallest = std::min(smallest, c);
-  }
-  rms_over_weighted_ =
-      capacity.empty() ? 1 : std::sqrt(total / (static_cast<double>(capacity.size()) * smallest));
-  norm_of_one_ = capacity.empty() ? 1 : std::sqrt(total);
+  const auto& reduction = rhs.reduction();
+  const double total = reduction.sum([&](std::size_t i) { return capacity[i]; });
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double c : capacity) smallest = std::min(smallest, c);
+  smallest = reduction.smallest(smallest);
+  const auto rows = static_cast<double>(reduction.total());
+  rms_over_weighted_ = rows > 0 ? std::sqrt(total / (rows * smallest)) : 1;
+  norm_of_one_ = rows > 0 ? std::sqrt(total) : 1;
   const double largest = plan_->ranges.back().magnitude();
   constexpr double roundings = 100;  // of a value, where there is no span to be right within
   allowed_ = span_ > 0 ? task.allowed.front() : roundings * std::numeric_limits<double>::epsilon() * largest;

@@ -19,7 +19,7 @@ constexpr std::size_t fewest_vectors = 8, most_vectors_ever = 40'000;
 }  // namespace
 
 void LanczosPropagator::allocate() {
-  const double vector = static_cast<double>(rhs().size() * sizeof(double));
+  const double vector = static_cast<double>(rhs().reduction().total() * sizeof(double));
   const double fit = std::min(memory_ / std::max(vector, 1.0), static_cast<double>(most_vectors_ever));
   if (fit < fewest_vectors)
     throw Refused(

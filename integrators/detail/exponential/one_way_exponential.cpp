@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -21,15 +22,17 @@ double point_position(std::size_t m, std::size_t degree) {
 
 double rms(const Reduction& reduction, std::span<const double> v) {
   const double sum = reduction.sum([&](std::size_t i) { return v[i] * v[i]; });
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, reduction.size())));
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, reduction.total())));
 }
 
 /// Bound of an error's rms by its capacity-weighted rms [-].
 double rms_over_weighted(const Rhs& rhs) {
   const auto capacity = rhs.capacities();
   const double total = rhs.reduction().sum([&](std::size_t i) { return capacity[i]; });
-  const double smallest = *std::min_element(capacity.begin(), capacity.end());
-  return std::sqrt(total / (static_cast<double>(capacity.size()) * smallest));
+  const auto here = std::min_element(capacity.begin(), capacity.end());
+  const double smallest =
+      rhs.reduction().smallest(here == capacity.end() ? std::numeric_limits<double>::infinity() : *here);
+  return std::sqrt(total / (static_cast<double>(rhs.reduction().total()) * smallest));
 }
 
 /// out[i] += factor * v[i], a stretch that stays in the first cache at a time.
@@ -78,7 +81,7 @@ void OneWayExponential::begin(double t, double /*end*/, std::span<const double> 
   // Temperatures are propagated as differences from their mean: the expansion's rest is then one of the span.
   const auto& reduction = halves_->driven().reduction();
   offset_ =
-      reduction.sum([&](std::size_t i) { return temperature()[i]; }) / static_cast<double>(driven_size_);
+      reduction.sum([&](std::size_t i) { return temperature()[i]; }) / static_cast<double>(reduction.total());
   const double whole = instants.empty() ? 0 : instants.back().t - t;
   panel_ = driver_radius_ > 0 ? std::min(whole, 8 / driver_radius_) : whole;
 }

@@ -3,31 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/partition.hpp"
+
 namespace superstep {
 
 IncompleteCholesky::IncompleteCholesky(Rhs& rhs) : rhs_(rhs), jacobian_(rhs) {
   for (const double capacity : rhs.capacities()) root_.push_back(std::sqrt(capacity));
   scaled_.resize(static_cast<Eigen::Index>(rhs.size()));
-  build_lower_triangle();
+  for (const auto& field : rhs.fields())
+    for (std::size_t first = 0; first < field.count; first += block_rows()) {
+      auto& block = *blocks_.emplace_back(std::make_unique<Block>());
+      block.first = field.offset + first;
+      block.size = std::min(block_rows(), field.count - first);
+      build_block(block);
+    }
 }
 
-void IncompleteCholesky::build_lower_triangle() {
-  const auto& pattern = rhs_.pattern();
-  const auto n = static_cast<Eigen::Index>(rhs_.size());
-  const auto fields = rhs_.fields();
-  const auto field_of = [&](std::size_t i) { return fields.size() > 1 && i >= fields[1].offset ? 1 : 0; };
+void IncompleteCholesky::build_block(Block& block) {
+  const auto& pattern = rhs_.own_pattern();
+  const std::size_t first = block.first, end = first + block.size;
   std::vector<Eigen::Triplet<double, int>> triplets;
-  for (std::size_t j = 0; j < rhs_.size(); ++j)
+  for (std::size_t j = first; j < end; ++j)
     for (auto k = pattern.column_begin[j]; k < pattern.column_begin[j + 1]; ++k) {
       const auto i = static_cast<std::size_t>(pattern.row[static_cast<std::size_t>(k)]);
-      if (i < j || field_of(i) != field_of(j)) continue;
-      triplets.emplace_back(static_cast<int>(i), static_cast<int>(j), 1.0);
-      position_.push_back({static_cast<std::size_t>(k), pattern.position(j, i), i, j});
+      if (i < j || i >= end) continue;
+      triplets.emplace_back(static_cast<int>(i - first), static_cast<int>(j - first), 1.0);
+      block.position.push_back({static_cast<std::size_t>(k), pattern.position(j, i), i, j});
     }
-  lower_.resize(n, n);
-  lower_.setFromTriplets(triplets.begin(),
-                         triplets.end());  // by columns, rows rising: the order of `position_`
-  factor_.analyzePattern(lower_);
+  const auto n = static_cast<Eigen::Index>(block.size);
+  block.lower.resize(n, n);
+  block.lower.setFromTriplets(triplets.begin(),
+                              triplets.end());  // by columns, rows rising: the order of `position`
+  block.factor.analyzePattern(block.lower);
 }
 
 bool IncompleteCholesky::set(double c, double t, std::span<const double> y) {
@@ -35,24 +42,32 @@ bool IncompleteCholesky::set(double c, double t, std::span<const double> y) {
   if (still_valid && c == shift_) return true;
   shift_ = c;
   const bool symmetric = rhs_.traits().symmetric;
-  double* values = lower_.valuePtr();
-  for (std::size_t k = 0; k < position_.size(); ++k) {
-    const auto [entry, mirror, row, column] = position_[k];
-    const double ratio = root_[row] / root_[column];
-    const double lower = jacobian_.values()[entry] * ratio;
-    const double upper = symmetric ? lower : jacobian_.values()[mirror] / ratio;
-    values[k] = (row == column ? 1.0 : 0.0) - c * 0.5 * (lower + upper);
+  bool all_good = true;
+  for (const auto& block : blocks_) {
+    double* values = block->lower.valuePtr();
+    for (std::size_t k = 0; k < block->position.size(); ++k) {
+      const auto [entry, mirror, row, column] = block->position[k];
+      const double ratio = root_[row] / root_[column];
+      const double lower = jacobian_.values()[entry] * ratio;
+      const double upper = symmetric ? lower : jacobian_.values()[mirror] / ratio;
+      values[k] = (row == column ? 1.0 : 0.0) - c * 0.5 * (lower + upper);
+    }
+    block->factor.factorize(block->lower);
+    all_good = all_good && block->factor.info() == Eigen::Success;
   }
-  factor_.factorize(lower_);
   ++factorizations_;
-  return factor_.info() == Eigen::Success;
+  return !rhs_.reduction().any(!all_good);
 }
 
 void IncompleteCholesky::apply(std::span<const double> r, std::span<double> z) {
   const auto n = static_cast<Eigen::Index>(r.size());
   const Eigen::Map<const Eigen::VectorXd> root(root_.data(), n), residual(r.data(), n);
   scaled_ = root.cwiseProduct(residual);
-  scaled_ = factor_.solve(scaled_);
+  for (const auto& block : blocks_) {
+    auto part =
+        scaled_.segment(static_cast<Eigen::Index>(block->first), static_cast<Eigen::Index>(block->size));
+    part = block->factor.solve(part).eval();
+  }
   Eigen::Map<Eigen::VectorXd>(z.data(), n) = scaled_.cwiseQuotient(root);
 }
 

@@ -1,9 +1,10 @@
 #pragma once
-/// Incomplete Cholesky preconditioner of I - c J for symmetric right-hand sides.
+/// Incomplete Cholesky preconditioner of I - c J for symmetric right-hand sides, block by block.
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -31,15 +32,19 @@ class IncompleteCholesky {
   struct Entry {
     std::size_t entry, mirror, row, column;  ///< positions of (i,j) and (j,i) in the Jacobian
   };
-  void build_lower_triangle();
+  struct Block {
+    std::size_t first = 0, size = 0;  ///< rows
+    std::vector<Entry> position;      ///< of the entries of its lower triangle
+    Eigen::SparseMatrix<double, Eigen::ColMajor, int> lower;
+    Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<int>> factor;
+  };
+  void build_block(Block& block);
 
   Rhs& rhs_;
   KeptJacobian jacobian_;
   std::vector<double> root_;  ///< sqrt of the capacities
-  std::vector<Entry> position_;
+  std::vector<std::unique_ptr<Block>> blocks_;
   Eigen::VectorXd scaled_;
-  Eigen::SparseMatrix<double, Eigen::ColMajor, int> lower_;
-  Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
   std::uint64_t factorizations_ = 0;
   double shift_ = std::numeric_limits<double>::quiet_NaN();
 };

@@ -10,7 +10,7 @@ namespace superstep {
 
 class KeptJacobian {
  public:
-  explicit KeptJacobian(Rhs& rhs) : rhs_(rhs), values_(rhs.pattern().row.size()) {}
+  explicit KeptJacobian(Rhs& rhs) : rhs_(rhs), values_(rhs.own_pattern().row.size()) {}
 
   /// Brings the values to (t, y). Returns true when those that were there are still valid.
   ///   earlier_will_do  those of another state serve as well
@@ -24,7 +24,7 @@ class KeptJacobian {
   void forget() noexcept { known_ = false; }
   /// On the pattern of the right-hand side [1/s].
   [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
-  /// out = a v + b J v
+  /// out = a v + b J v. Throws NeedsWhole where processes share the right-hand side.
   void multiply(double a, double b, std::span<const double> v, std::span<double> out) const {
     const auto& pattern = rhs_.pattern();
     for (std::size_t i = 0; i < v.size(); ++i) out[i] = a * v[i];

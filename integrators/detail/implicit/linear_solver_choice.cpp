@@ -5,8 +5,8 @@ namespace superstep {
 std::string fastest_linear_solver(const Rhs& rhs) {
   constexpr std::size_t pcg_pays = 400, cholmod_pays = 3000;  // unknowns
   const auto& traits = rhs.traits();
-  if (traits.linear && traits.symmetric && rhs.size() >= pcg_pays) return "pcg";
-  return traits.symmetric && rhs.size() >= cholmod_pays ? "cholmod" : "klu";
+  if (traits.linear && traits.symmetric && rhs.reduction().total() >= pcg_pays) return "pcg";
+  return traits.symmetric && rhs.reduction().total() >= cholmod_pays ? "cholmod" : "klu";
 }
 
 std::unique_ptr<ShiftedSolver> make_shifted_solver(const std::string& name, Rhs& rhs) {
@@ -17,7 +17,7 @@ std::unique_ptr<ShiftedSolver> make_shifted_solver(const std::string& name, Rhs&
 
 std::string fastest_klu_ordering(const Rhs& rhs) {
   constexpr std::size_t metis_pays = 4000;  // unknowns: 1.6 times as fast at 9680, 0.8 times at 800
-  return rhs.size() >= metis_pays ? "metis" : "amd";
+  return rhs.reduction().total() >= metis_pays ? "metis" : "amd";
 }
 
 }  // namespace superstep

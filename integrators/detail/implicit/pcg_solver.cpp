@@ -18,6 +18,7 @@ class PcgSolver final : public ShiftedSolver {
       throw Refused(
           "conjugate gradients need a Jacobian that is symmetric, which conductivities that follow the "
           "temperature and coupled fields do not give; use klu, or cvode with linsol=gmres");
+    if (!rhs.traits().linear) (void)rhs.pattern();  // products with J need all of it
     for (auto* v : {&residual_, &direction_, &image_, &preconditioned_}) v->resize(rhs.size());
   }
 

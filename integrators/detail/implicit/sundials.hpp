@@ -3,7 +3,6 @@
 
 #include <arkode/arkode_arkstep.h>
 #include <cvodes/cvodes.h>
-#include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 #include <sundials/sundials_types.h>
@@ -11,6 +10,8 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+
+#include "integrators/detail/implicit/state_n_vector.hpp"
 
 namespace superstep::sundials {
 
@@ -44,10 +45,6 @@ using Arkode = std::unique_ptr<void, Deleter<free_arkode>>;
   SUNContext context = nullptr;
   if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("SUNDIALS cannot create a context");
   return Context(context);
-}
-
-[[nodiscard]] inline std::span<double> entries(N_Vector v) noexcept {
-  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
 }
 
 }  // namespace superstep::sundials

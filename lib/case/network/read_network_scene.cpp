@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:lib/case/network/read_network_scene.cpp
 #include "case/network/read_network_scene.hpp"
-========
-#include "case/network/read_network_scene.hpp"
->>>>>>>> issue15:lib/case/network/read_network_scene.cpp
 
 #include <fmt/format.h>
 

@@ -85,6 +85,16 @@ const RecordFields<RunRecord>& fields_of<RunRecord>() {
         field("contacts", &RunRecord::contacts),
         field("unknowns", &RunRecord::unknowns),
         field("threads", &RunRecord::threads),
+        field("processes", &RunRecord::processes, "that took part; CPU times are their sums"),
+        field("distributed", &RunRecord::distributed,
+              "exact: the result of one process, bit by bit; gathered: one did it for all; empty: there was "
+              "one"),
+        group<RunRecord>("communication",
+                         {field("reductions", &RunRecord::reductions, "sums and maxima over all processes"),
+                          field("halo_messages", &RunRecord::halo_messages, "of all processes"),
+                          field("halo_bytes", &RunRecord::halo_bytes, "of all processes"),
+                          field("imbalance", &RunRecord::imbalance,
+                                "most entries of the network that a process has, over their mean")}),
         group<RunRecord>(
             "counts", {field("steps", &RunRecord::steps), field("rejected", &RunRecord::rejected),
                        field("rhs", &RunRecord::rhs, "sweeps"), field("jacobians", &RunRecord::jacobians),

@@ -20,7 +20,7 @@ SkewedBlocks FieldOperator::chain_blocks() const noexcept {
 
 std::size_t FieldOperator::chain_depth() const noexcept {
   constexpr std::size_t entry_bytes = sizeof(double) + sizeof(std::int32_t), vectors = 3;
-  if (!constant_inputs_ || rate_.slices() == 0) return 1;
+  if (!constant_inputs_ || boundary_ || rate_.slices() == 0) return 1;
   const std::size_t bytes = rate_.entries() * entry_bytes + size() * vectors * sizeof(double);
   if (bytes <= cache_bytes_) return 1;  // it stays in the cache as it is
   const auto blocks = chain_blocks();
@@ -40,15 +40,18 @@ void FieldOperator::chain(std::span<ChainedStage> stages, bool with_inflow, std:
 
 void FieldOperator::pass_together(std::span<ChainedStage> stages, std::size_t first_stage, bool with_inflow,
                                   std::span<const double> drive, ChainObserver* observer) {
-  std::array<RowInflow, longest_chain> inflow{};
+  std::vector<RowInflow> inflow(with_inflow ? stages.size() : 0);
   (void)ghost_values(stages.front().t);
-  const auto work = [&](std::size_t pass, std::size_t first, std::size_t last) {
+  const auto finish = [&](std::size_t pass, std::size_t first, std::size_t last) {
     const auto& [t, stage, out, unused] = stages[pass];
-    stage_slices(t, stage, first, last, out);
-    const std::size_t first_row = first * lanes, last_row = std::min(last * lanes, size());
+    add_inputs(t, stage, first, last, out);
     if (!drive.empty())
-      for (std::size_t i = first_row; i < last_row; ++i) out[i] += stage.d * drive[i];
-    if (observer) observer->entries_done(first_stage + pass, first_row, last_row);
+      for (std::size_t i = first; i < last; ++i) out[i] += stage.d * drive[i];
+    if (observer) observer->entries_done(first_stage + pass, first, last);
+  };
+  const auto work = [&](std::size_t pass, std::size_t first, std::size_t last) {
+    fused_sweep(rate_, stages[pass].stage, first, last, stages[pass].out);
+    finish(pass, first * lanes, std::min(last * lanes, size()));
   };
   const auto watch = [&](std::size_t pass, std::size_t first, std::size_t last) {
     if (with_inflow)
@@ -56,7 +59,8 @@ void FieldOperator::pass_together(std::span<ChainedStage> stages, std::size_t fi
   };
   if (stages.size() == 1) {
     watch(0, 0, rate_.slices());
-    for_slices(rate_, [&](std::size_t first, std::size_t last) { work(0, first, last); });
+    sweep_all(stages.front().stage, stages.front().out,
+              [&](std::size_t first, std::size_t last) { finish(0, first, last); });
   } else {
     skewed_passes(chain_blocks(), stages.size(), work, watch);
   }

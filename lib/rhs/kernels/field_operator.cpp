@@ -27,22 +27,25 @@ std::span<const Entry> in_rows(const std::vector<Entry>& sorted, std::size_t fir
 
 SpectralBounds spectral_bounds(const Network& network) {
   const auto total = network.total_conductance(), ghost = network.ghost_conductance();
+  const std::size_t n = network.size();
+  std::vector<double> rate(n + (network.halo ? network.halo->size() : 0));
+  for (std::size_t i = 0; i < n; ++i) rate[i] = total[i] / network.capacity[i];
+  if (network.halo) network.halo->fetch(rate.data(), rate.data() + n);
   SpectralBounds bounds;
-  for (std::size_t i = 0; i < network.size(); ++i) {
-    const double capacity = network.capacity[i];
-    bounds.gershgorin = std::max(bounds.gershgorin, (2 * total[i] - ghost[i]) / capacity);
-    bounds.edge = std::max(bounds.edge, total[i] / capacity);
-    for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k) {
-      const auto j = at(network.column[at(k)]);
-      bounds.edge = std::max(bounds.edge, total[i] / capacity + total[j] / network.capacity[j]);
-    }
+  for (std::size_t i = 0; i < n; ++i) {
+    bounds.gershgorin = std::max(bounds.gershgorin, (2 * total[i] - ghost[i]) / network.capacity[i]);
+    bounds.edge = std::max(bounds.edge, rate[i]);
+    for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k)
+      bounds.edge = std::max(bounds.edge, rate[i] + rate[at(network.column[at(k)])]);
   }
+  if (auto* among = network.among()) bounds = {among->max(bounds.edge), among->max(bounds.gershgorin)};
   return bounds;
 }
 
 FieldOperator::FieldOperator(Network network)
     : network_(std::move(network)),
-      rate_(network_.row_begin, network_.column),
+      boundary_(network_.halo ? std::make_unique<BoundaryRows>(network_) : nullptr),
+      rate_(boundary_ ? boundary_->interior_rows(network_) : SlicedRows(network_.row_begin, network_.column)),
       ghost_value_(network_.ghost_value),
       inputs_(network_.tables) {
   set_conductances(network_.conductance, {});
@@ -66,9 +69,18 @@ void FieldOperator::set_conductances(std::span<const double> edges, std::span<co
   if (edges.data() != network_.conductance.data())
     std::copy(edges.begin(), edges.end(), network_.conductance.begin());
   for (std::size_t k = 0; k < ghost_edges.size(); ++k) network_.ghost_edges[k].conductance = ghost_edges[k];
-  rate_.set_values(network_.row_begin, [this](std::size_t row, std::size_t k) {
+  const auto rate = [this](std::size_t row, std::size_t k) {
     return network_.conductance[k] / network_.capacity[row];
-  });
+  };
+  if (boundary_) {
+    const auto begin = boundary_->interior_begin();
+    boundary_->set_values(network_, rate);
+    rate_.set_values(begin, [&](std::size_t row, std::size_t k) {
+      return rate(row, at(network_.row_begin[row]) + k - at(begin[row]));
+    });
+  } else {
+    rate_.set_values(network_.row_begin, rate);
+  }
   ghosts_.clear();
   for (const auto& edge : network_.ghost_edges)
     ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
@@ -121,7 +133,7 @@ void FieldOperator::add_inputs(double t, const Stage& stage, std::size_t first, 
 
 void FieldOperator::stage(double t, const Stage& stage, double* out) {
   (void)ghost_values(t);
-  for_slices(rate_, [&](std::size_t first, std::size_t last) { stage_slices(t, stage, first, last, out); });
+  sweep_all(stage, out, [&](std::size_t first, std::size_t last) { add_inputs(t, stage, first, last, out); });
 }
 
 void FieldOperator::varying_stage(double t, ConductanceMean mean, const SlicedRows& geometry,
@@ -133,16 +145,9 @@ void FieldOperator::varying_stage(double t, ConductanceMean mean, const SlicedRo
   });
 }
 
-void FieldOperator::stage_slices(double t, const Stage& stage, std::size_t first, std::size_t last,
-                                 double* out) const noexcept {
-  fused_sweep(rate_, stage, first, last, out);
-  add_inputs(t, stage, first * SlicedRows::lanes, last * SlicedRows::lanes, out);
-}
-
 void FieldOperator::conduction_stage(const Stage& stage, double* out) const {
-  for_slices(rate_, [&](std::size_t first, std::size_t last) {
-    fused_sweep(rate_, stage, first, last, out);
-    for (const auto& ghost : in_rows(ghosts_, first * SlicedRows::lanes, last * SlicedRows::lanes))
+  sweep_all(stage, out, [&](std::size_t first, std::size_t last) {
+    for (const auto& ghost : in_rows(ghosts_, first, last))
       out[at(ghost.row)] -= stage.d * ghost.rate * stage.y1[ghost.row];
   });
 }
@@ -157,31 +162,35 @@ double FieldOperator::inflow(double t, std::span<const double> y) {
 void FieldOperator::add_inflow(double t, const double* y, std::size_t first, std::size_t last,
                                RowInflow& sum) const {
   for (const auto& edge : in_rows(network_.ghost_edges, first, last))
-    sum.exchanged += edge.conductance * (ghost_value_[at(edge.ghost)] - y[edge.row]);
+    sum.exchanged.add(at(edge.row), edge.conductance * (ghost_value_[at(edge.ghost)] - y[edge.row]));
   for (const auto& radiation : in_rows(radiation_, first, last))
-    sum.radiated += radiation.rate * network_.capacity[at(radiation.row)] *
-                    (ambient4(radiation, t) - fourth_power(y[radiation.row]));
+    sum.radiated.add(at(radiation.row), radiation.rate * network_.capacity[at(radiation.row)] *
+                                            (ambient4(radiation, t) - fourth_power(y[radiation.row])));
 }
 
-double FieldOperator::total_inflow(double t, const RowInflow& sum) const {
-  double supplied = 0;
-  for (const auto& source : sources_) supplied += source.rate * network_.capacity[at(source.row)];
-  for (const auto& source : tabled_) supplied += inputs_.at(at(source.table), t);
-  return sum.exchanged + supplied + sum.radiated;
+double FieldOperator::total_inflow(double t, RowInflow& sum) const {
+  RowSum supplied, tabled;
+  for (const auto& source : sources_)
+    supplied.add(at(source.row), source.rate * network_.capacity[at(source.row)]);
+  for (const auto& source : tabled_) tabled.add(at(source.row), inputs_.at(at(source.table), t));
+  ExactSum all = sum.exchanged.exact();
+  for (auto* part : {&sum.radiated, &supplied, &tabled}) all.add(part->exact());
+  return network_.among() ? network_.among()->sum(all) : all.value();
 }
 
 double FieldOperator::conduction_inflow(std::span<const double> v) const {
-  double sum = 0;
-  for (const auto& edge : network_.ghost_edges) sum -= edge.conductance * v[at(edge.row)];
-  return sum;
+  RowSum sum;
+  for (const auto& edge : network_.ghost_edges) sum.add(at(edge.row), -edge.conductance * v[at(edge.row)]);
+  return network_.among() ? network_.among()->sum(sum.exact()) : sum.exact().value();
 }
 
-double FieldOperator::radiation_slope(std::span<const double> y) const noexcept {
+double FieldOperator::radiation_slope(std::span<const double> y) const {
   double largest = 0;
   for (const auto& radiation : radiation_) {
     const double magnitude = std::abs(y[at(radiation.row)]);
     largest = std::max(largest, 4 * radiation.rate * magnitude * magnitude * magnitude);
   }
+  if (auto* among = network_.among()) largest = among->max(largest);
   return largest;
 }
 

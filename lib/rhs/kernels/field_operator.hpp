@@ -3,11 +3,14 @@
 ///   C_i dy_i/dt = sum_j K_ij (y_j - y_i) + sum_g K_ig (y_g(t) - y_i) + Q_i(t) + r_i (y_env(t)^4 - y_i^4)
 /// Source: Rojek & Nisar 2026, eqs 1, 3 and 5. What a scene does not have costs nothing: its list is empty.
 
+#include <memory>
 #include <vector>
 
 #include "network/network.hpp"
+#include "rhs/kernels/boundary_rows.hpp"
 #include "rhs/kernels/skewed_passes.hpp"
 #include "rhs/kernels/sliced_rows.hpp"
+#include "rhs/kernels/sweep.hpp"
 #include "rhs/kernels/varying_sweep.hpp"
 #include "rhs/rhs.hpp"
 #include "rhs/tabled_inputs.hpp"
@@ -25,6 +28,17 @@ struct SpectralBounds {
 /// Adds a breakpoint for every knot of a table.
 ///   weight  rms rate of change per unit of the table;  field  its number in the right-hand side
 void add_knots(const TimeTable& table, double weight, std::size_t field, std::vector<Breakpoint>& points);
+
+/// Stands for the column of a row that another process has.
+inline constexpr auto column_elsewhere = static_cast<std::size_t>(-1);
+
+/// Passes on what stands in columns that are here.
+template <class Add>
+auto only_here(Add add) {
+  return [add](std::size_t row, std::size_t column, double value) mutable {
+    if (column != column_elsewhere) add(row, column, value);
+  };
+}
 
 class FieldOperator {
  public:
@@ -68,9 +82,10 @@ class FieldOperator {
   void leave() noexcept;
   [[nodiscard]] const TabledInputs& inputs() const noexcept { return inputs_; }
   /// Largest slope of radiation, 4 r_i |y_i|^3/C_i [1/s].
-  [[nodiscard]] double radiation_slope(std::span<const double> y) const noexcept;
+  [[nodiscard]] double radiation_slope(std::span<const double> y) const;
 
   /// Calls add(row, column, value) for every contribution to df/dy [1/s]: several may meet in one place.
+  /// Columns of rows that other processes have are all `column_elsewhere`.
   template <class Add>
   void jacobian(std::span<const double> y, Add add) const;
 
@@ -100,15 +115,17 @@ class FieldOperator {
   [[nodiscard]] double ambient4(const RadiationRate& radiation, double t) const noexcept;
   /// What flows into rows, as far as it depends on them [W or A].
   struct RowInflow {
-    double exchanged = 0, radiated = 0;
+    RowSum exchanged, radiated;
   };
   void add_inflow(double t, const double* y, std::size_t first, std::size_t last, RowInflow& sum) const;
   /// With what sources supply.
-  [[nodiscard]] double total_inflow(double t, const RowInflow& sum) const;
+  [[nodiscard]] double total_inflow(double t, RowInflow& sum) const;
 
+  /// One stage on all slices, conduction alone; finish(first, last) then does what else is to be done to
+  /// rows.
+  template <class Finish>
+  void sweep_all(const Stage& stage, double* out, const Finish& finish) const;
   // For a time that `ghost_values` has been called with.
-  void stage_slices(double t, const Stage& stage, std::size_t first, std::size_t last,
-                    double* out) const noexcept;
   void add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last, double* out) const;
 
   void find_facts();
@@ -117,7 +134,8 @@ class FieldOperator {
                      std::span<const double> drive, ChainObserver* observer);
 
   Network network_;
-  SlicedRows rate_;  ///< K_ij/C_i [1/s]
+  std::unique_ptr<BoundaryRows> boundary_;  ///< null: all rows are here
+  SlicedRows rate_;                         ///< K_ij/C_i [1/s], without the boundary's
   std::vector<GhostRate> ghosts_;
   std::vector<double> ghost_value_;  ///< [g] at `ghost_time_`
   TabledInputs inputs_;
@@ -133,6 +151,27 @@ class FieldOperator {
   bool ghosts_are_current_ = true;
 };
 
+/// The halo travels while the slices that do not need it are swept.
+template <class Finish>
+void FieldOperator::sweep_all(const Stage& stage, double* out, const Finish& finish) const {
+  constexpr auto lanes = SlicedRows::lanes;
+  const auto sweep = [&](std::size_t first, std::size_t last) {
+    fused_sweep(rate_, stage, first, last, out);
+    finish(first * lanes, std::min(last * lanes, size()));
+  };
+  if (!boundary_) return for_slices(rate_, sweep);
+  boundary_->begin(stage.y1);
+  for_slices(rate_,
+             [&](std::size_t first, std::size_t last) { boundary_->for_interior(first, last, sweep); });
+  boundary_->end();
+  for_ranges(boundary_->slices(), boundary_->slices() * lanes, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      boundary_->sweep(stage, k, out);
+      finish(boundary_->slice(k) * lanes, std::min((boundary_->slice(k) + 1) * lanes, size()));
+    }
+  });
+}
+
 template <class Add>
 void FieldOperator::jacobian(std::span<const double> y, Add add) const {
   for (std::size_t i = 0; i < size(); ++i) {
@@ -140,7 +179,8 @@ void FieldOperator::jacobian(std::span<const double> y, Add add) const {
     for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k) {
       const double rate = network_.conductance[static_cast<std::size_t>(k)] / network_.capacity[i];
       diagonal -= rate;
-      add(i, static_cast<std::size_t>(network_.column[static_cast<std::size_t>(k)]), rate);
+      const auto column = static_cast<std::size_t>(network_.column[static_cast<std::size_t>(k)]);
+      add(i, column < size() ? column : column_elsewhere, rate);
     }
     add(i, i, diagonal);
   }

@@ -3,9 +3,11 @@
 /// same node, be it free, fixed or idle in either field.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "parallel/halo.hpp"
 #include "rhs/tabled_inputs.hpp"
 
 namespace superstep {
@@ -25,6 +27,8 @@ class NodeValues {
              std::vector<TimeTable> tables);
   /// Values on the slots [nodes] for a state of this field at time t.
   [[nodiscard]] std::span<const double> on_slots(double t, const double* state);
+  /// Some slots are values of rows that other processes have: those of `halo`, in its order.
+  void share(std::shared_ptr<Halo> halo, std::vector<std::int32_t> slot_of_halo);
   [[nodiscard]] std::int32_t slot_of_row(std::size_t row) const noexcept { return slot_of_row_[row]; }
   /// See Rhs::enter and Rhs::leave.
   void enter(double begin, double end) noexcept { inputs_.enter(begin, end); }
@@ -35,6 +39,9 @@ class NodeValues {
   std::vector<KnownValue> changing_;
   TabledInputs inputs_;
   std::vector<double> value_;
+  std::shared_ptr<Halo> halo_;  // null: all rows are here
+  std::vector<std::int32_t> slot_of_halo_;
+  std::vector<double> halo_value_;
 };
 
 }  // namespace superstep

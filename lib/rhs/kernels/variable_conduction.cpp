@@ -73,8 +73,9 @@ VariableConduction::VariableConduction(const FieldOperator& field, const SlotCon
                                        std::span<const double> reference,
                                        std::span<const std::int32_t> slot_of_node) {
   const auto& network = field.network();
-  for (const auto node : network.node_of_row) slot_of_row_.push_back(slot_of_node[at(node)]);
-  row_conductivity_.resize(network.size());
+  for (const auto* nodes : {&network.node_of_row, &network.node_of_halo})
+    for (const auto node : *nodes) slot_of_row_.push_back(slot_of_node[at(node)]);
+  row_conductivity_.resize(slot_of_row_.size());
   conductance_.resize(network.nonzeros());
   geometry_.resize(network.nonzeros());
   with_mean(conductivity.mean(), [&](auto mean) {
@@ -95,12 +96,18 @@ VariableConduction::VariableConduction(const FieldOperator& field, const SlotCon
   ghost_conductance_ = ghost_geometry_;
   for (std::size_t e = 0; e < slot_of_ghost_edge_.size(); ++e)
     if (slot_of_ghost_edge_[e] >= 0) varying_ghost_edges_.push_back(static_cast<std::int32_t>(e));
-  nodes_.resize(network.size());
+  nodes_.resize(slot_of_row_.size());
+  beyond_.resize(network.node_of_halo.size());
   scaled_geometry_ = SlicedRows(network.row_begin, network.column);
   const double factor = geometry_factor(conductivity.mean());
   scaled_geometry_.set_values(network.row_begin, [&](std::size_t row, std::size_t k) {
     return factor * geometry_[k] / network.capacity[row];
   });
+}
+
+/// Values of the columns beyond the own rows.
+void VariableConduction::fetch_beyond(const FieldOperator& field, const double* y) {
+  if (auto* halo = field.network().halo.get()) halo->fetch(y, beyond_.data());
 }
 
 void VariableConduction::update_ghosts(const SlotConductivity& conductivity, const FieldOperator& field) {
@@ -118,8 +125,11 @@ void VariableConduction::stage(const SlotConductivity& conductivity, FieldOperat
                                const Stage& stage, double* out) {
   const auto kappa = conductivity.value();
   const auto mean = conductivity.mean();
+  const std::size_t own = field.size();
+  fetch_beyond(field, stage.y1);
   for_each_entry(nodes_.size(), [&](std::size_t i) {
-    nodes_[i] = {stage.y1[i], node_factor(mean, kappa[at(slot_of_row_[i])])};
+    const double value = i < own ? stage.y1[i] : beyond_[i - own];
+    nodes_[i] = {value, node_factor(mean, kappa[at(slot_of_row_[i])])};
   });
   update_ghosts(conductivity, field);
   field.set_ghost_conductances(varying_ghost_edges_, ghost_conductance_);

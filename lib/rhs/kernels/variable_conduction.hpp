@@ -39,6 +39,8 @@ class SlotConductivity {
   /// Looks at none where no law is limited.
   [[nodiscard]] std::optional<std::size_t> first_outside(std::span<const double> temperature,
                                                          double slack) const noexcept;
+  /// Whether some temperature is an error of some law.
+  [[nodiscard]] bool limited() const noexcept { return limited_; }
   [[nodiscard]] std::int32_t node_of_slot(std::size_t slot) const noexcept { return node_of_slot_[slot]; }
   [[nodiscard]] const ConductivityLaw& law_of_slot(std::size_t slot) const noexcept {
     return laws_.of_node(node_of_slot_[slot]);
@@ -70,24 +72,29 @@ class VariableConduction {
   /// Calls add(row, slot, value) for d f_row / d T_slot through the conductances.
   template <class Add>
   void jacobian(const SlotConductivity& conductivity, const FieldOperator& field,
-                std::span<const double> ghost_value, std::span<const double> y, Add add) const;
+                std::span<const double> ghost_value, std::span<const double> y, Add add);
 
  private:
+  void fetch_beyond(const FieldOperator& field, const double* y);
   void update_ghosts(const SlotConductivity& conductivity, const FieldOperator& field);
 
-  std::vector<std::int32_t> slot_of_row_;
+  std::vector<std::int32_t> slot_of_row_;          ///< of columns beyond the own rows, too
   std::vector<std::int32_t> slot_of_ghost_edge_;   ///< -1: an ambient, whose conductance is constant
   std::vector<std::int32_t> varying_ghost_edges_;  ///< the others of them
   std::vector<double> geometry_, ghost_geometry_;
   std::vector<double> row_conductivity_, conductance_, ghost_conductance_;
   SlicedRows scaled_geometry_;   ///< G_ij/C_i as the sweep takes it
-  std::vector<NodePair> nodes_;  ///< [rows]
+  std::vector<NodePair> nodes_;  ///< [rows and halo]
+  std::vector<double> beyond_;   ///< [halo] values of rows that others have
 };
 
 template <class Add>
 void VariableConduction::jacobian(const SlotConductivity& conductivity, const FieldOperator& field,
-                                  std::span<const double> ghost_value, std::span<const double> y,
-                                  Add add) const {
+                                  std::span<const double> ghost_value, std::span<const double> y, Add add) {
+  fetch_beyond(field, y.data());
+  const auto value = [&](std::size_t column) {
+    return column < y.size() ? y[column] : beyond_[column - y.size()];
+  };
   with_mean(conductivity.mean(), [&](auto mean) {
     const auto& network = field.network();
     const auto kappa = conductivity.value(), slope = conductivity.slope();
@@ -101,7 +108,7 @@ void VariableConduction::jacobian(const SlotConductivity& conductivity, const Fi
       for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k) {
         const auto e = static_cast<std::size_t>(k), j = static_cast<std::size_t>(network.column[e]);
         add_branch(i, static_cast<std::size_t>(slot_of_row_[i]), static_cast<std::size_t>(slot_of_row_[j]),
-                   geometry_[e], y[j] - y[i]);
+                   geometry_[e], value(j) - y[i]);
       }
     for (std::size_t e = 0; e < network.ghost_edges.size(); ++e) {
       if (slot_of_ghost_edge_[e] < 0) continue;

@@ -1,0 +1,37 @@
+#include "bench/measure/worker.hpp"
+
+#include "bench/host/interrupt.hpp"
+#include "bench/measure/shared_run.hpp"
+
+namespace superstep {
+
+int serve_the_root() {
+  catch_interrupts();
+  ScenePart part;
+  while (true) {
+    const auto bytes = world().receive(0);
+    Unpacker in(bytes);
+    switch (in.take<Order>()) {
+      case Order::scene:
+        part = {};
+        part = take_part(in);
+        break;
+      case Order::run:
+        join_run(part, in);
+        break;
+      case Order::end:
+        return in.take<int>();
+    }
+  }
+}
+
+void dismiss_workers(int exit_code) {
+  if (world().alone()) return;
+  if (in_shared_run()) world().abort(exit_code);
+  Packer out;
+  out.put(Order::end);
+  out.put(exit_code);
+  for (int to = 1; to < world().size(); ++to) world().send(to, out.bytes());
+}
+
+}  // namespace superstep

@@ -1,0 +1,19 @@
+#pragma once
+/// What the processes besides the root do: they wait for parts of scenes and for runs over them.
+///
+/// Only the root reads input, writes files and talks; so that there is one message where there is one error.
+
+#include <cstdint>
+
+namespace superstep {
+
+/// First word of what the root sends.
+enum class Order : std::uint8_t { scene, run, end };
+
+/// Serves the root until it ends. Returns the exit code.
+[[nodiscard]] int serve_the_root();
+/// On the root, at the end: workers that wait go home; those in the middle of a run are ended, because it is
+/// the root that could not go on.
+void dismiss_workers(int exit_code);
+
+}  // namespace superstep

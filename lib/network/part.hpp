@@ -1,0 +1,24 @@
+#pragma once
+/// Cuts a network into the parts that processes own.
+
+#include <vector>
+
+#include "network/network.hpp"
+#include "parallel/packed.hpp"
+#include "parallel/partition.hpp"
+
+namespace superstep {
+
+struct NetworkPart {
+  Network network;                 ///< own rows only; its halo is not there yet
+  std::vector<std::int64_t> halo;  ///< global rows that its columns beyond the own ones are
+};
+
+/// The part of the process that `partition` is seen from.
+[[nodiscard]] NetworkPart part_of(const Network& whole, const Partition& partition);
+
+/// As bytes for the process that will own it.
+void pack(const NetworkPart& part, Packer& out);
+void unpack(Unpacker& in, NetworkPart& part);
+
+}  // namespace superstep

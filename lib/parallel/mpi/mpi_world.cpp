@@ -1,0 +1,187 @@
+/// The only file with MPI and PETSc. It is a module of its own, loaded where a launcher started the program.
+
+#include <mpi.h>
+#include <petscsf.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "parallel/communicator.hpp"
+
+namespace superstep {
+namespace {
+
+void check(int code, const char* what) {
+  if (code != 0) throw std::runtime_error(std::string("MPI: ") + what + " failed");
+}
+
+/// Looks at once and again for as long as a message between cores takes, then leaves the processor to others:
+/// where processes outnumber the cores it is one of those that has to answer.
+void wait_for(MPI_Request& request) {
+  constexpr int looks = 2000;
+  constexpr unsigned nap = 20;  // microseconds
+  int done = 0;
+  for (int look = 0; !done; ++look) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (!done && look >= looks) ::usleep(nap);
+  }
+}
+
+/// Halo values by PetscSF, which keeps its messages and buffers from one round to the next.
+class StarForest final : public Exchange {
+ public:
+  StarForest(const Partition& rows, std::span<const std::int64_t> halo) {
+    check(PetscSFCreate(PETSC_COMM_WORLD, &forest_), "PetscSFCreate");
+    PetscSFNode* remote = nullptr;
+    const auto leaves = static_cast<PetscInt>(halo.size());
+    check(PetscMalloc1(halo.size(), &remote), "allocation");
+    for (std::size_t k = 0; k < halo.size(); ++k) {
+      const int owner = rows.owner(halo[k]);
+      remote[k].rank = owner;
+      remote[k].index = static_cast<PetscInt>(halo[k] - rows.first(owner));
+    }
+    const auto roots = static_cast<PetscInt>(rows.owned());
+    check(PetscSFSetGraph(forest_, roots, leaves, nullptr, PETSC_COPY_VALUES, remote, PETSC_OWN_POINTER),
+          "PetscSFSetGraph");
+    check(PetscSFSetUp(forest_), "PetscSFSetUp");
+    PetscInt receivers = 0;
+    const PetscMPIInt* ranks = nullptr;
+    const PetscInt *offset = nullptr, *leaf = nullptr;
+    check(PetscSFGetLeafRanks(forest_, &receivers, &ranks, &offset, &leaf), "PetscSFGetLeafRanks");
+    messages_ = static_cast<std::uint64_t>(receivers);
+    bytes_ = receivers > 0 ? static_cast<std::uint64_t>(offset[receivers]) * sizeof(double) : 0;
+  }
+  ~StarForest() override {
+    PetscBool finished = PETSC_FALSE;
+    PetscFinalized(&finished);
+    if (!finished) PetscSFDestroy(&forest_);
+  }
+
+  void begin(const double* owned, double* halo) override {
+    owned_ = owned;
+    halo_ = halo;
+    check(PetscSFBcastBegin(forest_, MPI_DOUBLE, owned, halo, MPI_REPLACE), "PetscSFBcastBegin");
+  }
+  void end() override {
+    check(PetscSFBcastEnd(forest_, MPI_DOUBLE, owned_, halo_, MPI_REPLACE), "PetscSFBcastEnd");
+  }
+  [[nodiscard]] std::uint64_t messages() const noexcept override { return messages_; }
+  [[nodiscard]] std::uint64_t bytes() const noexcept override { return bytes_; }
+
+ private:
+  PetscSF forest_ = nullptr;
+  const double* owned_ = nullptr;
+  double* halo_ = nullptr;
+  std::uint64_t messages_ = 0, bytes_ = 0;
+};
+
+class MpiWorld final : public Communicator {
+ public:
+  MpiWorld() {
+    int provided = 0;
+    check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
+    check(PetscInitializeNoArguments(), "PetscInitialize");
+    check(PetscPopSignalHandler(), "PetscPopSignalHandler");  // signals are the program's own
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    MPI_Comm_dup(MPI_COMM_WORLD, &arrivals_);
+    MPI_Comm_dup(MPI_COMM_WORLD, &letters_);
+  }
+  ~MpiWorld() override {
+    PetscFinalize();
+    MPI_Finalize();
+  }
+
+  [[nodiscard]] int rank() const noexcept override { return rank_; }
+  [[nodiscard]] int size() const noexcept override { return size_; }
+
+  void broadcast(std::vector<std::byte>& bytes) override {
+    if (is_root())
+      for (int to = 1; to < size_; ++to) send(to, bytes);
+    else
+      bytes = receive(0);
+  }
+  std::unique_ptr<Exchange> make_exchange(const Partition& rows,
+                                          std::span<const std::int64_t> halo) override {
+    return std::make_unique<StarForest>(rows, halo);
+  }
+
+  void send(int to, std::span<const std::byte> bytes) override {
+    const auto length = static_cast<std::uint64_t>(bytes.size());
+    MPI_Send(&length, 1, MPI_UINT64_T, to, 0, letters_);
+    for (std::size_t begin = 0; begin < bytes.size(); begin += piece)
+      MPI_Send(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE, to, 0,
+               letters_);
+  }
+  std::vector<std::byte> receive(int from) override {
+    int there = 0;
+    constexpr unsigned shortest = 20, longest = 2000;  // microseconds
+    for (unsigned wait = shortest; !there; wait = std::min(2 * wait, longest)) {
+      MPI_Iprobe(from, 0, letters_, &there, MPI_STATUS_IGNORE);
+      if (!there) ::usleep(wait);
+    }
+    std::uint64_t length = 0;
+    MPI_Recv(&length, 1, MPI_UINT64_T, from, 0, letters_, MPI_STATUS_IGNORE);
+    std::vector<std::byte> bytes(length);
+    for (std::size_t begin = 0; begin < bytes.size(); begin += piece)
+      MPI_Recv(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE, from,
+               0, letters_, MPI_STATUS_IGNORE);
+    return bytes;
+  }
+
+  bool all_arrive(double seconds) override {
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibarrier(arrivals_, &request);
+    const double end = MPI_Wtime() + seconds;
+    for (int arrived = 0;; ::usleep(1000)) {
+      MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+      if (arrived) return true;
+      if (MPI_Wtime() > end) return false;
+    }
+  }
+  void abort(int exit_code) override {
+    MPI_Abort(MPI_COMM_WORLD, exit_code);
+    std::_Exit(exit_code);
+  }
+
+ private:
+  static constexpr std::size_t piece = std::size_t{1} << 30;  // bytes; MPI counts in int
+
+  void add_up(std::span<std::int64_t> words) override {
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Iallreduce(MPI_IN_PLACE, words.data(), static_cast<int>(words.size()), MPI_INT64_T, MPI_SUM,
+                   MPI_COMM_WORLD, &request);
+    wait_for(request);
+  }
+  void take_largest(std::span<double> values) override {
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
+                   MPI_COMM_WORLD, &request);
+    wait_for(request);
+  }
+  void gather_into(std::span<const double> own, std::span<const std::int64_t> counts,
+                   std::span<double> all) override {
+    if (!is_root()) return send(0, std::as_bytes(own));
+    std::copy(own.begin(), own.end(), all.begin());
+    auto begin = static_cast<std::size_t>(counts[0]);
+    for (int from = 1; from < size_; ++from) {
+      const auto bytes = receive(from);
+      std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(all.subspan(begin)).begin());
+      begin += static_cast<std::size_t>(counts[static_cast<std::size_t>(from)]);
+    }
+  }
+
+  int rank_ = 0, size_ = 1;
+  MPI_Comm arrivals_ = MPI_COMM_NULL, letters_ = MPI_COMM_NULL;
+};
+
+}  // namespace
+}  // namespace superstep
+
+extern "C" superstep::Communicator* superstep_make_world() {
+  return new superstep::MpiWorld;
+}

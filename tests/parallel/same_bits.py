@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""Runs small scenes by several processes: results are those of one process, bit by bit, and so are the counts.
+
+    same_bits.py PROGRAM [all]     `all`: every number of processes with every number of threads
+
+Skipped (77) where there is no mpirun or the program was built without MPI.
+"""
+
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from scenes import write_scenes
+
+SKIPPED = 77
+BLOCK = "64"  # rows: at seven processes each has two blocks or more
+
+EXPLICIT = ["forward-euler", "sts:n=10,nu=1e-3", "sts:n=auto,rtol=1e-3", "rkc:rtol=1e-4", "rkc:order=1,rtol=1e-3",
+            "rkl:rtol=1e-4", "rkg:rtol=1e-4", "rock:rtol=1e-5"]
+EXPONENTIAL = ["exponential:basis=chebyshev,rtol=1e-9", "exponential:basis=lanczos,rtol=1e-8", "exponential"]
+DIRECT = ["trapezoidal:rtol=1e-4", "cvode:linsol=klu,rtol=1e-5"]
+
+# Methods of each scene whose results must be exact, and those that one process does for all.
+METHODS = {
+    "linear": (EXPLICIT + EXPONENTIAL + ["auto:rtol=1e-4"], DIRECT),
+    "driven": (EXPLICIT + EXPONENTIAL, DIRECT),
+    "radiating": (EXPLICIT, DIRECT),
+    "kappa": ([], ["rkc:rtol=1e-4"] + DIRECT),
+    "two_way": ([], ["rkc:rtol=1e-4"] + DIRECT),
+    "one_way": ([], ["sts:n=10,nu=1e-2", "exponential:rtol=1e-6"]),
+    "steady_potential": (EXPLICIT + EXPONENTIAL, DIRECT),
+    "moving_potential": ([], ["rkc:rtol=1e-4"]),
+    "hub": (EXPLICIT + EXPONENTIAL, DIRECT),
+}
+COUNTS = ["steps", "rejected", "rhs", "jacobians", "factorizations", "solves", "max_stages"]
+
+
+class Runner:
+    def __init__(self, program, folder):
+        self.program, self.folder, self.faults, self.compared = program, folder, [], 0
+
+    def call(self, processes, arguments):
+        """One process is one without a launcher: nobody starts one process by mpirun to get an answer."""
+        launcher = []
+        if processes > 1:
+            launcher = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-np", str(processes)]
+        environment = dict(os.environ, OMPI_MCA_btl_base_warn_component_unused="0",
+                           ASAN_OPTIONS="detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", ""))
+        return subprocess.run(launcher + [self.program] + arguments, cwd=self.folder, env=environment,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300)
+
+    def run(self, scene, specs, processes, threads=1, block=BLOCK):
+        """What came out for each SPEC: hashes of its files, its counts, and how it was done."""
+        out = f"{self.folder}/out"
+        shutil.rmtree(out, ignore_errors=True)
+        arguments = ["run", f"{scene}.toml", "--out", out, "--threads", str(threads), "--block-rows", block]
+        for spec in specs:
+            arguments += ["--integrator", spec]
+        done = self.call(processes, arguments)
+        if done.returncode != 0:
+            self.faults.append(f"{scene}, {processes} processes: exit {done.returncode}: {done.stderr.decode()[-600:]}")
+            return {}
+        lines = [line for line in done.stdout.decode().splitlines() if line and not line.startswith(" ")]
+        if len(lines) != len(specs):
+            self.faults.append(f"{scene}, {processes} processes: {len(lines)} lines for {len(specs)} runs")
+        found = {}
+        folders = [out] if len(specs) == 1 else [f"{out}/{name}" for name in sorted(os.listdir(out))]
+        for folder in folders:
+            if not os.path.exists(f"{folder}/run.json"):
+                continue
+            with open(f"{folder}/run.json") as file:
+                record = json.load(file)
+            hashes = [hashlib.sha256(open(f"{folder}/{name}", "rb").read()).hexdigest()
+                      for name in ("final.csv", "probes.csv")]
+            counts = [record["counts"][name] for name in COUNTS]
+            found[f"{record['integrator']}:{record['params']}"] = (hashes, counts, record)
+        if len(found) != len(specs):
+            self.faults.append(f"{scene}, {processes} processes: {len(found)} results for {len(specs)} runs")
+        return found
+
+    def compare(self, scene, processes, threads=1, block=BLOCK):
+        exact, gathered = METHODS[scene]
+        if not hasattr(self, "alone"):
+            self.alone = {}
+        key = (scene, block)
+        if key not in self.alone:
+            self.alone[key] = self.run(scene, exact + gathered, 1, 1, block)
+        together = self.run(scene, exact + gathered, processes, threads, block)
+        for spec, (hashes, counts, record) in together.items():
+            if spec not in self.alone[key]:
+                continue
+            self.compared += 1
+            what = f"{scene}, {spec}, {processes} processes, {threads} threads, blocks of {block}"
+            expected = self.alone[key][spec]
+            if hashes != expected[0]:
+                self.faults.append(f"{what}: another result")
+            if counts != expected[1]:
+                self.faults.append(f"{what}: counts {counts} instead of {expected[1]}")
+            how = "gathered" if any(spec.rstrip(":") == g for g in gathered) else "exact"
+            if record["distributed"] != how:
+                self.faults.append(f"{what}: {record['distributed']} instead of {how}")
+            if record["processes"] != (processes if how == "exact" else 1):
+                self.faults.append(f"{what}: it says that {record['processes']} processes took part")
+
+
+def check_errors(runner):
+    """One message, one exit code, however many processes there are."""
+    for arguments, code in [(["run", "missing.toml"], 3), (["run", "linear.toml", "--integrator", "rkk"], 2),
+                            (["run", "linear.toml", "--threads", "0"], 2)]:
+        done = runner.call(3, arguments)
+        said = done.stderr.decode().count("superstep: error: ")
+        if done.returncode != code or said != 1:
+            runner.faults.append(f"{arguments}: exit {done.returncode}, {said} messages: {done.stderr.decode()[-500:]}")
+    unstable = ["run", "linear.toml", "--integrator", "forward-euler:step=0.5", "--out", f"{runner.folder}/unstable",
+                "--block-rows", BLOCK]
+    alone, together = runner.call(1, unstable), runner.call(3, unstable)
+    if together.returncode != 4 or alone.stdout != together.stdout:
+        runner.faults.append(f"unstable: exit {together.returncode}: {together.stdout} instead of {alone.stdout}")
+
+
+def check_counters(runner):
+    """What lib/parallel says that is sent and added up, step by step, on a ring: at every cut each side wants two
+    values of the other, in one message."""
+    # By method: reductions a step, and those of the beginning and the end.
+    claims = {"forward-euler": (0.01, 20), "sts:n=10,nu=1e-3": (0.2, 20), "rkc:rtol=1e-4": (3, 60),
+              "rock:rtol=1e-5": (3, 60), "exponential:basis=chebyshev,rtol=1e-9": (0, 60)}
+    for processes in (2, 4, 7):
+        for spec, (hashes, counts, record) in runner.run("ring", list(claims), processes).items():
+            what, sweeps, sent = f"ring, {spec}, {processes} processes", record["counts"]["rhs"], record["communication"]
+            cuts = processes - 1
+            if sent["halo_messages"] != 2 * cuts * sweeps or sent["halo_bytes"] != 32 * cuts * sweeps:
+                runner.faults.append(f"{what}: {sent} in {sweeps} sweeps")
+            a_step, besides = claims[spec]
+            if sent["reductions"] > a_step * record["counts"]["steps"] + besides:
+                runner.faults.append(f"{what}: {sent} in {record['counts']['steps']} steps")
+            runner.compared += 1
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    everything = len(sys.argv) > 2 and sys.argv[2] == "all"
+    module = os.path.join(os.path.dirname(program), "libsuperstep_mpi.so")
+    if shutil.which("mpirun") is None or not os.path.exists(module):
+        print("skipped: there is no mpirun, or the program was built without MPI")
+        return SKIPPED
+    with tempfile.TemporaryDirectory(prefix="superstep-") as folder:
+        write_scenes(folder)
+        runner = Runner(program, folder)
+        for k, scene in enumerate(METHODS):
+            for processes in (2, 3, 4, 7):
+                for threads in (1, 2) if everything else (1 + (k + processes) % 2,):
+                    runner.compare(scene, processes, threads)
+        # One block for all, so that all processes but one have nothing; and fewer blocks than processes.
+        for block in ("4096", "512"):
+            for scene in ("linear", "hub"):
+                runner.compare(scene, 4, 1, block)
+        check_counters(runner)
+        check_errors(runner)
+    print(f"{runner.compared} results compared, {len(runner.faults)} faults")
+    print("\n".join(runner.faults))
+    return 1 if runner.faults or runner.compared == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,128 @@
+"""Small scenes of every class, for runs by several processes."""
+
+import os
+
+HEAD = """t_end = {t_end}
+output_times = {outputs}
+probe = {probe}
+
+[packing]
+file = "lattice.csv"
+length_unit = "mm"
+
+[material]
+density = 7800.0
+
+[contact]
+neck = "hertz"
+conductance = "series"
+"""
+
+ENDS = """fixed = [ {{ where = {{ layer = {{ side = "top", thickness = 0.9 }} }}, value = {top} }},
+          {{ where = {{ layer = {{ side = "bottom", thickness = 0.9 }} }}, value = {bottom} }} ]
+"""
+
+THERMAL = """
+[thermal]
+conductivity = {conductivity}
+specific_heat = 460.0
+initial = {initial}
+"""
+
+ELECTRIC = """
+[electric]
+mode = "{mode}"
+conductivity = {conductivity}
+"""
+
+LINE = '{ law = "linear", value = 50.0, coefficient = -1e-3, reference = 300.0 }'
+SIGMOID = '{ law = "sigmoid", value = 1e4, amplitude = 1.5, steepness = 0.05, reference = 380.0 }'
+RAMP = "{ times = [0.0, 1.0, 1.0, 4.0], values = [300.0, 500.0, 420.0, 300.0] }"
+
+
+def write_lattice(path, across=6, high=26):
+    """Rows of equal spheres that overlap a little; a second piece that touches nothing."""
+    with open(path, "w") as out:
+        out.write("id,x,y,z,radius\n")
+        number = 0
+        for piece, (width, height) in enumerate([(across, high), (3, 9)]):
+            for k in range(height):
+                for j in range(width):
+                    for i in range(width):
+                        radius = 0.505 if (i + 2 * j + 3 * k) % 5 else 0.515
+                        out.write(f"{number},{i + 20 * piece},{j},{k},{radius}\n")
+                        number += 1
+
+
+def write_network(folder):
+    """A long chain, a hub that everything touches, and pieces that nothing connects."""
+    with open(f"{folder}/nodes.csv", "w") as nodes, open(f"{folder}/edges.csv", "w") as edges:
+        nodes.write("id,capacity,source,initial,fixed\n")
+        edges.write("i,j,conductance\n")
+        size = 900
+        for k in range(size):
+            source = 0.5 if k % 97 == 3 else 0
+            fixed = 10 if k == 0 else ""
+            nodes.write(f"{k},{1 + 0.1 * (k % 7)},{source},{k % 11},{fixed}\n")
+            if k % 150 != 0:
+                edges.write(f"{k - 1},{k},{1 + 0.3 * (k % 5)}\n")
+            if k != 444 and k % 3 == 0 and k < 600:
+                edges.write(f"{min(k, 444)},{max(k, 444)},{0.01 + 0.001 * (k % 13)}\n")
+
+
+def write_ring(folder, size=896):
+    """Every row has its two neighbours two rows away: a cut of the order parts two and two of them."""
+    with open(f"{folder}/ring_nodes.csv", "w") as nodes, open(f"{folder}/ring_edges.csv", "w") as edges:
+        nodes.write("id,capacity,source,initial,fixed\n")
+        edges.write("i,j,conductance\n")
+        for k in range(size):
+            nodes.write(f"{k},1,0,{(k * k) % 17},\n")
+            edges.write(f"{k},{(k + 1) % size},1\n")
+
+
+def case(t_end, body, outputs=None, probe='["mid-height", 7]'):
+    return HEAD.format(t_end=t_end, outputs=outputs or [t_end / 4, t_end], probe=probe) + body
+
+
+def scenes():
+    """Texts of cases by name."""
+    cold = THERMAL.format(conductivity=50.0, initial=300.0)
+    found = {
+        "linear": case(4.0, cold + ENDS.format(top=400.0, bottom=300.0)),
+        "driven": case(4.0, cold + ENDS.format(top=RAMP, bottom=300.0) +
+                       'source = [ { where = { layer = { side = "+x", thickness = 0.9 } }, '
+                       'value = { times = [0.0, 1.5, 3.0], values = [0.0, 0.02, 0.01] } } ]\n'),
+        "radiating": case(20.0, THERMAL.format(conductivity=50.0, initial=1200.0) +
+                          'convection = [ { where = "all", coefficient = 200.0, ambient = 300.0 } ]\n'
+                          'radiation = [ { where = { layer = { side = "top", thickness = 3.0 } }, emissivity = 0.8, '
+                          'ambient = { times = [0.0, 20.0], values = [300.0, 500.0] } } ]\n'),
+        "kappa": case(4.0, THERMAL.format(conductivity=LINE, initial=300.0) + ENDS.format(top=400.0, bottom=300.0)),
+        "two_way": case(4.0, ELECTRIC.format(mode="transient", conductivity=SIGMOID) + "specific_capacity = 2e4\n" +
+                        ENDS.format(top=4.0, bottom=0.0) + THERMAL.format(conductivity=LINE, initial=300.0) +
+                        'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
+        "one_way": case(4.0, ELECTRIC.format(mode="transient", conductivity=1e4) + "specific_capacity = 2e4\n" +
+                        ENDS.format(top=4.0, bottom=0.0) + cold +
+                        'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
+        "steady_potential": case(4.0, ELECTRIC.format(mode="steady", conductivity=1e4) +
+                                 ENDS.format(top=4.0, bottom=0.0) + cold +
+                                 'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
+        "moving_potential": case(4.0, ELECTRIC.format(mode="steady", conductivity=SIGMOID) +
+                                 ENDS.format(top=4.0, bottom=0.0) + cold +
+                                 'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
+        "hub": 't_end = 3.0\noutput_times = [1.0, 3.0]\nprobe = [444, 899]\n'
+               '[network]\nnodes = "nodes.csv"\nedges = "edges.csv"\n',
+        "ring": 't_end = 100.0\nprobe = [5]\n[network]\nnodes = "ring_nodes.csv"\nedges = "ring_edges.csv"\n',
+    }
+    return found
+
+
+def write_scenes(folder):
+    """Writes all cases and what they name; returns their names."""
+    os.makedirs(folder, exist_ok=True)
+    write_lattice(f"{folder}/lattice.csv")
+    write_network(folder)
+    write_ring(folder)
+    for name, text in scenes().items():
+        with open(f"{folder}/{name}.toml", "w") as out:
+            out.write(text)
+    return list(scenes())
