@@ -13,8 +13,8 @@
 #include "core/random.hpp"
 #include "packing/near_pairs.hpp"
 #include "packing/pack_checks.hpp"
-#include "packing/relax.hpp"
-#include "packing/seat_loners.hpp"
+#include "packing/relaxation/relax.hpp"
+#include "packing/relaxation/seat_loners.hpp"
 #include "packing/size_distribution.hpp"
 
 namespace superstep {

@@ -1,4 +1,4 @@
-#include "packing/seat_loners.hpp"
+#include "packing/relaxation/seat_loners.hpp"
 
 #include <gtest/gtest.h>
 

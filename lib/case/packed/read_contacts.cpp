@@ -166,9 +166,10 @@ void read_contacts(TomlTable& table, const std::string& place, PackingScene& sce
   if (gap && !(gap->number() >= 0)) gap->reject("it must be >= 0 [length_unit]");
   if (bond_radius) parameters.bond_radius = scene.length_unit * table.positive("bond_radius", "length");
   if (gap && gap->number() > 0 && !bond_radius)
-    table.missing("bond_radius",
-                  "a contact across a gap has no overlap that a neck law could work with; give the radius of "
-                  "such a neck [length_unit]");
+    table.missing(
+        "bond_radius",
+        "bond_radius is missing: a contact across a gap has no overlap that a neck law could work with; give "
+        "the radius of such a neck [length_unit]");
   try {
     scene.contacts = find_contacts(scene.packing, gap ? scene.length_unit * gap->number() : 0.0);
   } catch (const InputError& error) {

@@ -9,14 +9,14 @@
 namespace superstep {
 
 struct StarterSettings {
-  std::string file;            ///< of the packing, as the case shall name it
+  std::string file = {};       ///< of the packing, as the case shall name it
   char axis = 0;               ///< along which heat is led; 0 = the longest open one
   double conductivity = 1;     ///< W/(m K)
   double density = 2500;       ///< kg/m^3
   double specific_heat = 700;  ///< J/(kg K)
   std::string neck = "hertz";
-  std::string length_unit;     ///< that the user gave; empty = none
-  std::string units = "auto";  ///< the same of the unit style
+  std::string length_unit = {};  ///< that the user gave; empty = none
+  std::string units = "auto";    ///< the same of the unit style
   std::string periodic = "auto";
   double t_end = 1;  ///< s
   bool given_conductivity = false, given_density = false,

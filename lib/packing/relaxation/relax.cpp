@@ -1,4 +1,4 @@
-#include "packing/relax.hpp"
+#include "packing/relaxation/relax.hpp"
 
 #include <algorithm>
 #include <cmath>

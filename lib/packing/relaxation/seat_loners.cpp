@@ -1,4 +1,4 @@
-#include "packing/seat_loners.hpp"
+#include "packing/relaxation/seat_loners.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "packing/near_pairs.hpp"
-#include "packing/relax.hpp"
+#include "packing/relaxation/relax.hpp"
 
 namespace superstep {
 namespace {
