@@ -114,6 +114,8 @@ IntegratorEntry esdirk_entry() {
       .colour = "#5b8c5a",
       .order = 4,
       .adaptive = true,
+      .distributed = Distributed::exact,
+      .gathered_where = "but for solver=pcg on linear scenes",
       .keys = {tolerance_key("1e-4"),
                {.name = "solver",
                 .type = OptionKey::Type::word,

@@ -100,6 +100,8 @@ IntegratorEntry trapezoidal_entry() {
           .colour = "#d55e00",
           .order = 2,
           .adaptive = true,
+          .distributed = Distributed::exact,
+          .gathered_where = "but for solver=pcg on linear scenes",
           .keys = trapezoidal_keys(),
           .examples = {"trapezoidal:solver=pcg,rtol=1e-5", "trapezoidal:solver=cholmod,rtol=1e-5",
                        "trapezoidal:solver=fixed-point,rtol=1e-8", "trapezoidal:phi=0.6,rtol=1e-5",

@@ -92,15 +92,15 @@ def scenes():
         "driven": case(4.0, cold + ENDS.format(top=RAMP, bottom=300.0) +
                        'source = [ { where = { layer = { side = "+x", thickness = 0.9 } }, '
                        'value = { times = [0.0, 1.5, 3.0], values = [0.0, 0.02, 0.01] } } ]\n'),
-        "radiating": case(20.0, THERMAL.format(conductivity=50.0, initial=1200.0) +
+        "radiating": case(8.0, THERMAL.format(conductivity=50.0, initial=1200.0) +
                           'convection = [ { where = "all", coefficient = 200.0, ambient = 300.0 } ]\n'
                           'radiation = [ { where = { layer = { side = "top", thickness = 3.0 } }, emissivity = 0.8, '
                           'ambient = { times = [0.0, 20.0], values = [300.0, 500.0] } } ]\n'),
         "kappa": case(4.0, THERMAL.format(conductivity=LINE, initial=300.0) + ENDS.format(top=400.0, bottom=300.0)),
-        "two_way": case(4.0, ELECTRIC.format(mode="transient", conductivity=SIGMOID) + "specific_capacity = 2e4\n" +
+        "two_way": case(0.5, ELECTRIC.format(mode="transient", conductivity=SIGMOID) + "specific_capacity = 2e4\n" +
                         ENDS.format(top=4.0, bottom=0.0) + THERMAL.format(conductivity=LINE, initial=300.0) +
                         'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
-        "one_way": case(4.0, ELECTRIC.format(mode="transient", conductivity=1e4) + "specific_capacity = 2e4\n" +
+        "one_way": case(0.5, ELECTRIC.format(mode="transient", conductivity=1e4) + "specific_capacity = 2e4\n" +
                         ENDS.format(top=4.0, bottom=0.0) + cold +
                         'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
         "steady_potential": case(4.0, ELECTRIC.format(mode="steady", conductivity=1e4) +

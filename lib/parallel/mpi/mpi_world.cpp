@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "parallel/communicator.hpp"
 
@@ -21,62 +23,91 @@ void check(int code, const char* what) {
 
 /// Looks at once and again for as long as a message between cores takes, then leaves the processor to others:
 /// where processes outnumber the cores it is one of those that has to answer.
-void wait_for(MPI_Request& request) {
-  constexpr int looks = 2000;
+int looks = 2000;  // set once: fewer where cores are short
+
+void wait_for(std::span<MPI_Request> requests) {
   constexpr unsigned nap = 20;  // microseconds
   int done = 0;
   for (int look = 0; !done; ++look) {
-    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
     if (!done && look >= looks) ::usleep(nap);
   }
 }
 
-/// Halo values by PetscSF, which keeps its messages and buffers from one round to the next.
+/// Who wants which rows from whom is worked out by a star forest of PETSc; its messages are persistent ones. PETSc's
+/// own wait for them would hold the processor, on which those that are to answer may have to wait.
 class StarForest final : public Exchange {
  public:
   StarForest(const Partition& rows, std::span<const std::int64_t> halo) {
     check(PetscSFCreate(PETSC_COMM_WORLD, &forest_), "PetscSFCreate");
     PetscSFNode* remote = nullptr;
-    const auto leaves = static_cast<PetscInt>(halo.size());
     check(PetscMalloc1(halo.size(), &remote), "allocation");
     for (std::size_t k = 0; k < halo.size(); ++k) {
       const int owner = rows.owner(halo[k]);
       remote[k].rank = owner;
       remote[k].index = static_cast<PetscInt>(halo[k] - rows.first(owner));
     }
-    const auto roots = static_cast<PetscInt>(rows.owned());
-    check(PetscSFSetGraph(forest_, roots, leaves, nullptr, PETSC_COPY_VALUES, remote, PETSC_OWN_POINTER),
+    check(PetscSFSetGraph(forest_, static_cast<PetscInt>(rows.owned()), static_cast<PetscInt>(halo.size()), nullptr,
+                          PETSC_COPY_VALUES, remote, PETSC_OWN_POINTER),
           "PetscSFSetGraph");
     check(PetscSFSetUp(forest_), "PetscSFSetUp");
-    PetscInt receivers = 0;
-    const PetscMPIInt* ranks = nullptr;
-    const PetscInt *offset = nullptr, *leaf = nullptr;
-    check(PetscSFGetLeafRanks(forest_, &receivers, &ranks, &offset, &leaf), "PetscSFGetLeafRanks");
-    messages_ = static_cast<std::uint64_t>(receivers);
-    bytes_ = receivers > 0 ? static_cast<std::uint64_t>(offset[receivers]) * sizeof(double) : 0;
+    MPI_Comm_dup(MPI_COMM_WORLD, &messages_);
+    prepare_sending();
+    prepare_receiving(halo.size());
   }
   ~StarForest() override {
-    PetscBool finished = PETSC_FALSE;
-    PetscFinalized(&finished);
-    if (!finished) PetscSFDestroy(&forest_);
+    int finished = 0;
+    MPI_Finalized(&finished);
+    if (finished) return;
+    for (auto& request : requests_) MPI_Request_free(&request);
+    MPI_Comm_free(&messages_);
+    PetscSFDestroy(&forest_);
   }
 
   void begin(const double* owned, double* halo) override {
-    owned_ = owned;
     halo_ = halo;
-    check(PetscSFBcastBegin(forest_, MPI_DOUBLE, owned, halo, MPI_REPLACE), "PetscSFBcastBegin");
+    for (std::size_t k = 0; k < sent_.size(); ++k) sent_[k] = owned[wanted_[k]];
+    if (!requests_.empty()) MPI_Startall(static_cast<int>(requests_.size()), requests_.data());
   }
   void end() override {
-    check(PetscSFBcastEnd(forest_, MPI_DOUBLE, owned_, halo_, MPI_REPLACE), "PetscSFBcastEnd");
+    if (!requests_.empty()) wait_for(requests_);
+    for (std::size_t k = 0; k < received_.size(); ++k) halo_[place_[k]] = received_[k];
   }
-  [[nodiscard]] std::uint64_t messages() const noexcept override { return messages_; }
-  [[nodiscard]] std::uint64_t bytes() const noexcept override { return bytes_; }
+  [[nodiscard]] std::uint64_t messages() const noexcept override { return sends_; }
+  [[nodiscard]] std::uint64_t bytes() const noexcept override { return sent_.size() * sizeof(double); }
 
  private:
+  void prepare_sending() {
+    PetscInt ranks = 0;
+    const PetscMPIInt* rank = nullptr;
+    const PetscInt *offset = nullptr, *row = nullptr;
+    check(PetscSFGetLeafRanks(forest_, &ranks, &rank, &offset, &row), "PetscSFGetLeafRanks");
+    if (ranks > 0) wanted_.assign(row, row + offset[ranks]);
+    sent_.resize(wanted_.size());
+    sends_ = static_cast<std::uint64_t>(ranks);
+    for (PetscInt k = 0; k < ranks; ++k)
+      MPI_Send_init(sent_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE, rank[k], 0,
+                    messages_, &requests_.emplace_back());
+  }
+  void prepare_receiving(std::size_t size) {
+    PetscInt ranks = 0;
+    const PetscMPIInt* rank = nullptr;
+    const PetscInt *offset = nullptr, *leaf = nullptr, *row = nullptr;
+    check(PetscSFGetRootRanks(forest_, &ranks, &rank, &offset, &leaf, &row), "PetscSFGetRootRanks");
+    received_.resize(size);
+    if (ranks > 0) place_.assign(leaf, leaf + offset[ranks]);
+    for (PetscInt k = 0; k < ranks; ++k)
+      MPI_Recv_init(received_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE, rank[k], 0,
+                    messages_, &requests_.emplace_back());
+  }
+
   PetscSF forest_ = nullptr;
-  const double* owned_ = nullptr;
+  MPI_Comm messages_ = MPI_COMM_NULL;
+  std::vector<PetscInt> wanted_, place_;  ///< own rows that are sent; where in the halo what comes goes
+  std::vector<double> sent_, received_;
+  std::vector<MPI_Request> requests_;
   double* halo_ = nullptr;
-  std::uint64_t messages_ = 0, bytes_ = 0;
+  std::uint64_t sends_ = 0;
 };
 
 class MpiWorld final : public Communicator {
@@ -88,6 +119,7 @@ class MpiWorld final : public Communicator {
     check(PetscPopSignalHandler(), "PetscPopSignalHandler");  // signals are the program's own
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    count_cores();
     MPI_Comm_dup(MPI_COMM_WORLD, &arrivals_);
     MPI_Comm_dup(MPI_COMM_WORLD, &letters_);
   }
@@ -151,17 +183,27 @@ class MpiWorld final : public Communicator {
  private:
   static constexpr std::size_t piece = std::size_t{1} << 30;  // bytes; MPI counts in int
 
+  /// Where processes of a machine outnumber its cores nobody waits without sleeping.
+  static void count_cores() {
+    MPI_Comm machine = MPI_COMM_NULL;
+    int here = 1;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    MPI_Comm_size(machine, &here);
+    MPI_Comm_free(&machine);
+    if (static_cast<unsigned>(here) > std::thread::hardware_concurrency()) looks = 10;
+  }
+
   void add_up(std::span<std::int64_t> words) override {
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Iallreduce(MPI_IN_PLACE, words.data(), static_cast<int>(words.size()), MPI_INT64_T, MPI_SUM,
                    MPI_COMM_WORLD, &request);
-    wait_for(request);
+    wait_for({&request, 1});
   }
   void take_largest(std::span<double> values) override {
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
                    MPI_COMM_WORLD, &request);
-    wait_for(request);
+    wait_for({&request, 1});
   }
   void gather_into(std::span<const double> own, std::span<const std::int64_t> counts,
                    std::span<double> all) override {

@@ -92,9 +92,8 @@ template <class Add>
 void VariableConduction::jacobian(const SlotConductivity& conductivity, const FieldOperator& field,
                                   std::span<const double> ghost_value, std::span<const double> y, Add add) {
   fetch_beyond(field, y.data());
-  const auto value = [&](std::size_t column) {
-    return column < y.size() ? y[column] : beyond_[column - y.size()];
-  };
+  const std::size_t rows = field.size();  // y may go on with another field
+  const auto value = [&](std::size_t column) { return column < rows ? y[column] : beyond_[column - rows]; };
   with_mean(conductivity.mean(), [&](auto mean) {
     const auto& network = field.network();
     const auto kappa = conductivity.value(), slope = conductivity.slope();
