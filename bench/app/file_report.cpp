@@ -135,7 +135,8 @@ std::optional<NetworkFile> read_as_network(const std::string& path) {
     return std::nullopt;
   std::vector<std::string> names;
   try {
-    for (const auto& name : DelimitedTable(path, text).names()) names.push_back(lower_case(name));
+    const DelimitedTable table(path, text);
+    for (const auto& name : table.names()) names.push_back(lower_case(name));
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -43,6 +43,18 @@ class FileReport : public testing::Test {
   CaseFolder folder_;
 };
 
+TEST_F(FileReport, KnowsTablesWithAHeaderOfAnyKind) {
+  for (const char* header :
+       {"id,x,y,z,radius\n", "# id,x,y,z,radius\n", "\"id\",\"x\",\"y\",\"z\",\"radius\"\n", ""}) {
+    folder_.write("p.csv", std::string(header) + "1,0.05,0.05,0.01,0.0102\n2,0.05,0.05,0.03,0.0102\n");
+    ASSERT_EQ(run("info p.csv"), 0) << header << err();
+    expect_out("particles                          2");
+  }
+  folder_.write("edges.csv", "i,j,conductance\n0,1,2.0\n1,2,3.0\n");
+  ASSERT_EQ(run("info edges.csv"), 0) << err();
+  expect_out("edge list");
+}
+
 TEST_F(FileReport, SaysWhatAPackingIsAndHowItConducts) {
   write_dump("pp pp pp");
   ASSERT_EQ(run("info p.dump"), 0) << err();
