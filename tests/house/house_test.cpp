@@ -88,17 +88,19 @@ TEST(TheHouse, NoFileIncludesFromARoomToItsRight) {
 
 TEST(TheHouse, ResultsNeedCoreAlone) {
   for (const auto& file : files({".hpp", ".cpp"}))
-    if (file.starts_with("lib/results/"))
+    if (file.starts_with("lib/results/")) {
       for (const auto& included : includes_of(file))
         EXPECT_TRUE(included.starts_with("lib/results/") || included.starts_with("lib/core/"))
             << file << " includes " << included;
+    }
 }
 
 TEST(TheHouse, DetailStaysInTheFolderOfTheIntegrators) {
   for (const auto& file : files({".hpp", ".cpp"}))
-    if (!file.starts_with("integrators/") && !file.starts_with("tests/"))
+    if (!file.starts_with("integrators/") && !file.starts_with("tests/")) {
       for (const auto& included : includes_of(file))
         EXPECT_FALSE(included.starts_with("integrators/detail/")) << file << " includes " << included;
+    }
 }
 
 TEST(TheHouse, SundialsStaysInTheFolderOfTheIntegrators) {

@@ -184,7 +184,9 @@ std::vector<std::size_t> materials_of(const TomlValue& file, const Packing& pack
 /// A packing in any format, with velocities, temperatures and bonds where it or files beside it have them.
 void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) {
   const std::string path = beside_case(table.file(), file.string());
-  PackingOptions options{.place = file.where(), .periodic = "none"};  // the walls are the box
+  PackingOptions options;
+  options.place = file.where();
+  options.periodic = "none";  // the walls are the box
   if (const auto unit = table.find("length_unit")) {
     options.length_unit = length_unit(unit->string(), unit->where());
     options.place = unit->where();
