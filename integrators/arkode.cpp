@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "core/error.hpp"

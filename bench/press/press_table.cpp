@@ -228,8 +228,9 @@ std::string press_table_svg(const std::vector<PressTableRow>& rows) {
       const Cell cell = cell_of(rows, walls[row], holds[column]);
       const double x = left + side * static_cast<double>(column);
       const double part = high > low ? (cell.mean - low) / (high - low) : 0.5;
-      out += fmt::format(R"svg(<rect x="{}" y="{}" width="{}" height="58" fill="rgb({:.0f},{:.0f},{:.0f})"/>)svg", x, y,
-                         side - 2, 232 - 12 * (1 - part), 240 - 110 * part, 240 - 150 * part);
+      out += fmt::format(
+          R"svg(<rect x="{}" y="{}" width="{}" height="58" fill="rgb({:.0f},{:.0f},{:.0f})"/>)svg", x, y,
+          side - 2, 232 - 12 * (1 - part), 240 - 110 * part, 240 - 150 * part);
       put(x + side / 2, y + 28, "middle", fmt::format("{:.2f} %", 100 * cell.mean));
       put(x + side / 2, y + 44, "middle", fmt::format("+- {:.2f}", 100 * cell.spread));
     }

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
-#include "dynamics/bond_registry.hpp"
+#include "dynamics/contacts/bond_registry.hpp"
 
 namespace superstep::dynamics {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/index.hpp"
-#include "dynamics/bond_registry.hpp"
+#include "dynamics/contacts/bond_registry.hpp"
 
 namespace superstep::dynamics {
 namespace {

@@ -4,7 +4,6 @@
 #include "case/checks/law_ranges.hpp"
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
-#include "case/network/read_network_scene.hpp"
 #include "case/materials.hpp"
 #include "case/network/read_network_scene.hpp"
 #include "case/packed/assign_materials.hpp"

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/contact_points.hpp"
+#include "dynamics/contacts/contact_points.hpp"
+#include "dynamics/contacts/pair_forces.hpp"
 #include "dynamics/model.hpp"
-#include "dynamics/pair_forces.hpp"
 #include "dynamics/particles.hpp"
 
 namespace superstep::dynamics {

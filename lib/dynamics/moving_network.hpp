@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/contact_points.hpp"
+#include "dynamics/contacts/contact_points.hpp"
 #include "dynamics/current.hpp"
 #include "dynamics/forces.hpp"
 #include "dynamics/heat.hpp"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "dynamics/bond_registry.hpp"
+#include "dynamics/contacts/bond_registry.hpp"
 #include "dynamics/laws/bonds/rest_length_bond.hpp"
 #include "dynamics/laws/damping.hpp"
 #include "dynamics/laws/friction.hpp"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "dynamics/contact_points.hpp"
+#include "dynamics/contacts/contact_points.hpp"
 #include "dynamics/random_addition.hpp"
 #include "press.hpp"
 #include "support/temporary_folder.hpp"

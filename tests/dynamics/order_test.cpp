@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dynamics/bond_registry.hpp"
+#include "dynamics/contacts/bond_registry.hpp"
 #include "oracle.hpp"
 #include "press.hpp"
 

@@ -10,7 +10,7 @@
 #include "case/press/read_particles.hpp"
 #include "case/press/read_values.hpp"
 #include "core/error.hpp"
-#include "dynamics/bond_registry.hpp"
+#include "dynamics/contacts/bond_registry.hpp"
 
 namespace superstep::dynamics {
 namespace {

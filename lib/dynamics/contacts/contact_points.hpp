@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/bond_registry.hpp"
-#include "dynamics/contact_table.hpp"
+#include "dynamics/contacts/bond_registry.hpp"
+#include "dynamics/contacts/contact_table.hpp"
 #include "dynamics/neighbour_list.hpp"
 #include "dynamics/particles.hpp"
 

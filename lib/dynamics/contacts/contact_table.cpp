@@ -1,4 +1,4 @@
-#include "dynamics/contact_table.hpp"
+#include "dynamics/contacts/contact_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/index.hpp"
-#include "dynamics/vector_loops.hpp"
+#include "dynamics/contacts/vector_loops.hpp"
 
 namespace superstep::dynamics {
 namespace {

@@ -1,4 +1,4 @@
-#include "dynamics/contact_points.hpp"
+#include "dynamics/contacts/contact_points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/contact_table.hpp"
+#include "dynamics/contacts/contact_table.hpp"
 #include "dynamics/laws/contact_law.hpp"
 
 namespace superstep::dynamics {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dynamics/contact_table.hpp"
+#include "dynamics/contacts/contact_table.hpp"
 #include "dynamics/laws/bond_law.hpp"
 #include "dynamics/laws/contact_law.hpp"
 

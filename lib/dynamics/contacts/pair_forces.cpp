@@ -1,4 +1,4 @@
-#include "dynamics/pair_forces.hpp"
+#include "dynamics/contacts/pair_forces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "core/index.hpp"
 #include "core/parallel.hpp"
-#include "dynamics/vector_loops.hpp"
+#include "dynamics/contacts/vector_loops.hpp"
 
 namespace superstep::dynamics {
 namespace {

@@ -1,4 +1,4 @@
-#include "dynamics/bond_registry.hpp"
+#include "dynamics/contacts/bond_registry.hpp"
 
 #include <algorithm>
 #include <array>
