@@ -67,15 +67,12 @@ double two_digits(double value) {
 /// What `auto` says about a run to `t_end` at its own tolerance.
 std::string recommended(const Scene& scene, double t_end) {
   if (scene.rhs->size() == 0) return "none: every particle is held";
-  const auto method = make_method("auto");
-  Task task{.t_begin = 0, .t_end = t_end};
-  for (std::size_t f = 0; f < scene.rhs->fields().size(); ++f) {
-    constexpr double span = 100;  // K, between the two sides of the starter case
-    task.spans.push_back(span);
-    task.allowed.push_back(method->rtol() * span);
-  }
-  method->prepare(*scene.rhs, task);
-  return method->choice();
+  Plan plan;
+  plan.output_times = {t_end};
+  for (const auto& field : scene.fields) plan.ranges.push_back(field.range_of_state());
+  const auto integrator = make_integrator("auto");
+  integrator->prepare(*scene.rhs, plan);
+  return integrator->choice();
 }
 
 }  // namespace
@@ -102,7 +99,8 @@ PackingConduction assess_conduction(const Packing& packing, const std::string& f
                                     StarterSettings settings) {
   settings.file = std::filesystem::absolute(file).string();
   Scene scene = load_scene(TomlTable::parse_text(starter_case(packing, settings), file));
-  PackingConduction out{.axis = settings.axis};
+  PackingConduction out;
+  out.axis = settings.axis;
   const auto& graph = scene.fields.front().graph;
   const auto particles = static_cast<double>(packing.size());
   const Contacts contacts = find_contacts(packing);
