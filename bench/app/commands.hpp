@@ -16,8 +16,8 @@ namespace superstep {
 struct CommonOptions {
   int threads = 1;
   std::size_t block_rows = 0;  ///< rows that processes share out together; 0 = as many as usual
-  bool quiet = false;  ///< stderr carries errors only
-  bool json = false;   ///< stdout is machine-readable
+  bool quiet = false;          ///< stderr carries errors only
+  bool json = false;           ///< stdout is machine-readable
   ColorMode color = ColorMode::automatic;
 };
 

@@ -46,9 +46,9 @@ struct RunResult {
   int processes = 1;     ///< that took part; their CPU times are added up, and the longest wall time counts
   /// Of several processes: exact (the result is that of one) or gathered (one did it for all); else empty.
   std::string distributed;
-  std::uint64_t reductions = 0;                    ///< sums and maxima over all processes
+  std::uint64_t reductions = 0;                     ///< sums and maxima over all processes
   std::uint64_t halo_messages = 0, halo_bytes = 0;  ///< of all processes together
-  double imbalance = 1;                            ///< most entries that a process has over their mean
+  double imbalance = 1;                             ///< most entries that a process has over their mean
 };
 
 /// The method's own bound of its error over the span; nothing where it has none.

@@ -115,7 +115,8 @@ void add_up_costs(const Traffic& before, double entries, RunResult& result) {
   result.reductions = own.reductions - before.reductions;
   result.halo_messages = world().sum(own.halo_messages - before.halo_messages);
   result.halo_bytes = world().sum(own.halo_bytes - before.halo_bytes);
-  for (double* cpu : {&result.cpu_pilot, &result.cpu_prepare, &result.cpu_stepping}) *cpu = sum_over_all(*cpu);
+  for (double* cpu : {&result.cpu_pilot, &result.cpu_prepare, &result.cpu_stepping})
+    *cpu = sum_over_all(*cpu);
   for (double* wall : {&result.wall_prepare, &result.wall_stepping}) *wall = world().max(*wall);
   const double mean = sum_over_all(entries) / world().size();
   result.imbalance = world().max(entries) / std::max(1.0, mean);

@@ -58,8 +58,9 @@ std::vector<double> own_state(const Scene& scene, int rank) {
   std::vector<double> own;
   for (const auto& field : scene.rhs->fields()) {
     const Partition partition(static_cast<std::int64_t>(field.count), world().size(), rank, block_rows());
-    const auto rows = std::span<const double>(scene.initial)
-                          .subspan(field.offset + static_cast<std::size_t>(partition.begin()), partition.owned());
+    const auto rows =
+        std::span<const double>(scene.initial)
+            .subspan(field.offset + static_cast<std::size_t>(partition.begin()), partition.owned());
     own.insert(own.end(), rows.begin(), rows.end());
   }
   return own;
@@ -112,8 +113,7 @@ ScenePart share_out(const Scene& scene) {
     });
   }
   const NonlinearInput input = nonlinear_input(scene);
-  return share(scene, false,
-               [&](int rank) { return part_of(input, world().size(), rank, block_rows()); });
+  return share(scene, false, [&](int rank) { return part_of(input, world().size(), rank, block_rows()); });
 }
 
 ScenePart take_part(Unpacker& in) {

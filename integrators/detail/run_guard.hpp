@@ -21,8 +21,8 @@ class RunGuard {
   [[nodiscard]] bool stop_requested() const noexcept {
     return stop_ && stop_->load(std::memory_order_relaxed);
   }
-  /// Processes that share a run agree on the wish to stop in their sums; where steps have none, in one of their
-  /// own now and then. Call it at every step end.
+  /// Processes that share a run agree on the wish to stop in their sums; where steps have none, in one of
+  /// their own now and then. Call it at every step end.
   void agree(const Rhs& rhs);
 
   static constexpr unsigned stride = 64;

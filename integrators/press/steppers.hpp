@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "parallel/reduction.hpp"
 #include "integrators/press/motion.hpp"
 #include "integrators/press/step_control.hpp"
+#include "parallel/reduction.hpp"
 
 namespace superstep::dynamics {
 

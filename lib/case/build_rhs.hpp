@@ -18,8 +18,8 @@ struct Coupling {
 /// lists what is skipped. Throws InputError, beginning with `where`.
 void build_rhs(const std::string& where, const Coupling& coupling, Scene& scene);
 
-/// What the scene's right-hand side was built from, a NonlinearRhs that solves for no potential. Points into the
-/// scene.
+/// What the scene's right-hand side was built from, a NonlinearRhs that solves for no potential. Points into
+/// the scene.
 [[nodiscard]] NonlinearInput nonlinear_input(const Scene& scene);
 
 }  // namespace superstep

@@ -23,7 +23,8 @@ enum class NodeRole : char {
 ///   rows      row_begin[i] .. row_begin[i+1] hold the free neighbours of free node i
 ///   ghosts    edges from a free node to a node with a fixed value, or to the ambient that it convects to,
 ///             sorted by row
-///   halo      where several processes share a network, each has consecutive rows of it; columns beyond its own
+///   halo      where several processes share a network, each has consecutive rows of it; columns beyond its
+///   own
 ///             are values of rows that others have, in ascending order
 struct Network {
   struct GhostEdge {
@@ -35,13 +36,13 @@ struct Network {
   std::vector<std::int32_t> column;     ///< [nnz] free nodes, ascending in each row
   std::vector<double> conductance;      ///< [nnz] W/K or S; entry (i,j) equals entry (j,i)
   std::vector<GhostEdge> ghost_edges;
-  std::vector<double> ghost_value;        ///< [g] K or V, at t = 0 where a table rules
-  std::vector<std::int32_t> ghost_node;   ///< [g] position in the graph; -1 for the ambient of a convection
-  std::vector<double> capacity;           ///< [n] J/K or F
-  std::vector<double> source;             ///< [n] W or A
-  std::vector<std::int32_t> node_of_row;  ///< [n] position in the graph
+  std::vector<double> ghost_value;         ///< [g] K or V, at t = 0 where a table rules
+  std::vector<std::int32_t> ghost_node;    ///< [g] position in the graph; -1 for the ambient of a convection
+  std::vector<double> capacity;            ///< [n] J/K or F
+  std::vector<double> source;              ///< [n] W or A
+  std::vector<std::int32_t> node_of_row;   ///< [n] position in the graph
   std::vector<std::int32_t> node_of_halo;  ///< [halo] the same of rows that others have
-  std::vector<std::int32_t> row_of_node;  ///< [graph nodes] row, or -1 for nodes that are not free
+  std::vector<std::int32_t> row_of_node;   ///< [graph nodes] row, or -1 for nodes that are not free
 
   std::vector<TimeTable> tables;
   std::vector<std::int32_t> ghost_table;     ///< [g] index into tables, -1 = constant

@@ -10,7 +10,8 @@ namespace {
 /// Rows that own rows have for neighbours and others have.
 std::vector<std::int64_t> rows_beyond(const Network& whole, const Partition& partition) {
   std::vector<std::int64_t> halo;
-  const auto begin = at(whole.row_begin[at(partition.begin())]), end = at(whole.row_begin[at(partition.end())]);
+  const auto begin = at(whole.row_begin[at(partition.begin())]),
+             end = at(whole.row_begin[at(partition.end())]);
   for (std::size_t k = begin; k < end; ++k)
     if (!partition.owns(whole.column[k])) halo.push_back(whole.column[k]);
   std::sort(halo.begin(), halo.end());
@@ -22,17 +23,19 @@ void take_rows(const Network& whole, const Partition& partition, NetworkPart& pa
   Network& out = part.network;
   const std::size_t first = at(partition.begin()), owned = partition.owned();
   const std::int64_t begin = whole.row_begin[first];
-  for (std::size_t row = 0; row <= owned; ++row) out.row_begin.push_back(whole.row_begin[first + row] - begin);
+  for (std::size_t row = 0; row <= owned; ++row)
+    out.row_begin.push_back(whole.row_begin[first + row] - begin);
   const auto entries = at(out.row_begin.back());
   out.conductance.assign(whole.conductance.begin() + begin,
                          whole.conductance.begin() + begin + static_cast<std::ptrdiff_t>(entries));
   out.column.reserve(entries);
   for (std::size_t k = at(begin); k < at(begin) + entries; ++k) {
     const std::int64_t row = whole.column[k];
-    const auto place = partition.owns(row)
-                           ? row - partition.begin()
-                           : static_cast<std::int64_t>(owned) +
-                                 (std::lower_bound(part.halo.begin(), part.halo.end(), row) - part.halo.begin());
+    const auto place =
+        partition.owns(row)
+            ? row - partition.begin()
+            : static_cast<std::int64_t>(owned) +
+                  (std::lower_bound(part.halo.begin(), part.halo.end(), row) - part.halo.begin());
     out.column.push_back(static_cast<std::int32_t>(place));
   }
   const auto rows_of = [&](const auto& values) {
@@ -78,8 +81,10 @@ std::vector<Entry> of_own_rows(const std::vector<Entry>& whole, const Partition&
 template <class Part, class One>
 void for_lists(Part& part, const One& one) {
   auto& n = part.network;
-  one(n.row_begin), one(n.column), one(n.conductance), one(n.ghost_edges), one(n.ghost_value), one(n.ghost_node);
-  one(n.capacity), one(n.source), one(n.node_of_row), one(n.node_of_halo), one(n.ghost_table), one(n.tabled_sources), one(n.radiation);
+  one(n.row_begin), one(n.column), one(n.conductance), one(n.ghost_edges), one(n.ghost_value),
+      one(n.ghost_node);
+  one(n.capacity), one(n.source), one(n.node_of_row), one(n.node_of_halo), one(n.ghost_table),
+      one(n.tabled_sources), one(n.radiation);
   one(part.halo);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The processes that share a computation. A program that was started as usual is alone in its world; one that
-/// `mpirun` started loads MPI when it is first asked for its world, so that nobody else pays for it.
+/// The processes that share a computation. A program that was started as usual is alone in its world; one
+/// that `mpirun` started loads MPI when it is first asked for its world, so that nobody else pays for it.
 ///
 /// Whatever several processes decide together they decide from values that are the same everywhere, and every
 /// process makes the same calls in the same order: that is all the synchronisation there is.
@@ -31,7 +31,8 @@ struct Traffic {
 class Exchange {
  public:
   virtual ~Exchange() = default;
-  /// Sends what others need of `owned` and goes on receiving into `halo`, both of which must stay until `end`.
+  /// Sends what others need of `owned` and goes on receiving into `halo`, both of which must stay until
+  /// `end`.
   virtual void begin(const double* owned, double* halo) = 0;
   virtual void end() = 0;
   /// What one round sends.
@@ -71,8 +72,8 @@ class Communicator {
   virtual void send(int to, std::span<const std::byte> bytes) = 0;
   [[nodiscard]] virtual std::vector<std::byte> receive(int from) = 0;
 
-  /// The wish of any process to stop, agreed on in every sum and maximum: all see it at the same place of their
-  /// computation. `own` is looked at until another one is given; null = none.
+  /// The wish of any process to stop, agreed on in every sum and maximum: all see it at the same place of
+  /// their computation. `own` is looked at until another one is given; null = none.
   void watch(const std::atomic<bool>* own) noexcept {
     wish_ = own;
     agreed_.store(false);
@@ -107,8 +108,8 @@ class Communicator {
   Traffic traffic_;
 };
 
-/// The processes that this program was started with. Throws UsageError where it was started several times over
-/// and has no MPI to talk with.
+/// The processes that this program was started with. Throws UsageError where it was started several times
+/// over and has no MPI to talk with.
 [[nodiscard]] Communicator& world();
 
 }  // namespace superstep

@@ -46,7 +46,8 @@ void ExactSum::add(double term) noexcept {
   }
   const auto [mantissa, position] = parts_of(bits);
   const std::uint32_t shift = position % digit_bits;
-  const std::uint64_t low = (mantissa & digit) << shift, high = ((mantissa >> digit_bits) << shift) + (low >> digit_bits);
+  const std::uint64_t low = (mantissa & digit) << shift,
+                      high = ((mantissa >> digit_bits) << shift) + (low >> digit_bits);
   const auto first = static_cast<std::int64_t>(low & digit), second = static_cast<std::int64_t>(high & digit),
              third = static_cast<std::int64_t>(high >> digit_bits);
   std::int64_t* limb = limb_.data() + position / digit_bits;
@@ -87,7 +88,8 @@ void ExactSum::carry() noexcept {
 }
 
 double ExactSum::value() const noexcept {
-  if (nan_ > 0 || (positive_infinity_ > 0 && negative_infinity_ > 0)) return std::numeric_limits<double>::quiet_NaN();
+  if (nan_ > 0 || (positive_infinity_ > 0 && negative_infinity_ > 0))
+    return std::numeric_limits<double>::quiet_NaN();
   if (positive_infinity_ > 0) return std::numeric_limits<double>::infinity();
   if (negative_infinity_ > 0) return -std::numeric_limits<double>::infinity();
   ExactSum sum = *this;

@@ -35,7 +35,7 @@ class ExactSum {
 
   std::array<std::int64_t, limbs> limb_{};
   std::int64_t nan_ = 0, positive_infinity_ = 0, negative_infinity_ = 0;  ///< terms of that kind
-  std::uint32_t since_carry_ = 0;                                        ///< terms
+  std::uint32_t since_carry_ = 0;                                         ///< terms
 };
 
 }  // namespace superstep

@@ -49,7 +49,8 @@ void* load_module() {
   const fs::path folder = program.parent_path();
   for (const fs::path& place : {folder, folder / "../lib", folder / "../lib64"})
     // For all to see: MPI's own modules want its symbols.
-    if (void* module = ::dlopen((place / "libsuperstep_mpi.so").c_str(), RTLD_NOW | RTLD_GLOBAL)) return module;
+    if (void* module = ::dlopen((place / "libsuperstep_mpi.so").c_str(), RTLD_NOW | RTLD_GLOBAL))
+      return module;
   return nullptr;
 }
 
@@ -61,10 +62,11 @@ std::unique_ptr<Communicator> make_world() {
   const auto make = module ? reinterpret_cast<Make>(::dlsym(module, "superstep_make_world")) : nullptr;
   if (!make) {
     const char* why = ::dlerror();
-    throw UsageError(fmt::format(
-        "it was started {} times by a launcher of parallel programs but has no MPI to share the work with ({}); "
-        "start it once, or build it where PETSc and MPI are installed (libpetsc-real-dev)",
-        processes, why ? why : "not built"));
+    throw UsageError(
+        fmt::format("it was started {} times by a launcher of parallel programs but has no MPI to share the "
+                    "work with ({}); "
+                    "start it once, or build it where PETSc and MPI are installed (libpetsc-real-dev)",
+                    processes, why ? why : "not built"));
   }
   return std::unique_ptr<Communicator>(make());
 }

@@ -10,8 +10,8 @@
 namespace superstep {
 namespace {
 
-/// Adds up what rows take from one table, rate of change per unit of the table; rows come in order. Each counts
-/// by itself, so that the sum is the same whoever has the rows.
+/// Adds up what rows take from one table, rate of change per unit of the table; rows come in order. Each
+/// counts by itself, so that the sum is the same whoever has the rows.
 class Weights {
  public:
   void add(std::int32_t row, double weight) noexcept {
@@ -100,7 +100,7 @@ void FieldOperator::add_breakpoints(std::size_t field, std::vector<Breakpoint>& 
       const double largest = std::max(std::abs(table.lowest()), std::abs(table.highest()));
       weights[at(radiation.table)].add(radiation.row, 4 * radiation.rate * largest * largest * largest);
     }
-  for (std::size_t k = 0; k < tables.size(); ++k) 
+  for (std::size_t k = 0; k < tables.size(); ++k)
     add_knots(tables[k], weights[k].rms(network_.all_rows(), network_.among()), field, points);
 }
 

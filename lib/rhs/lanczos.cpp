@@ -65,7 +65,8 @@ SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const doubl
   if (reduction.total() == 0) return estimate;
   scale(v, 1 / std::sqrt(dot(v, v)));
   double beta = 0;
-  const int last_product = static_cast<int>(std::min(reduction.total(), static_cast<std::size_t>(limits.most)));
+  const int last_product =
+      static_cast<int>(std::min(reduction.total(), static_cast<std::size_t>(limits.most)));
   for (int k = 1; k <= last_product; ++k) {
     apply(v, w);
     estimate.products = k;

@@ -26,8 +26,8 @@ FieldView view_of(const Network& network, std::string name, std::string unit) {
 }  // namespace
 
 NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step)
-    : Rhs(network.size(), traits_of(network),
-          {view_of(network, std::move(field_name), std::move(unit))}, network.among()),
+    : Rhs(network.size(), traits_of(network), {view_of(network, std::move(field_name), std::move(unit))},
+          network.among()),
       field_(std::make_shared<FieldOperator>(std::move(network))),
       bound_(spectral_bounds(field_->network()).smallest()) {
   find_facts(pair_step);

@@ -40,13 +40,14 @@ void NonlinearRhs::find_facts(const NonlinearInput& input) {
   if (joule_) {
     const auto& potential = *input.potential;
     const bool sourced_here = std::any_of(potential.network.source.begin(), potential.network.source.end(),
-                                     [](double source) { return source != 0; }) ||
-                         !potential.network.tabled_sources.empty();
+                                          [](double source) { return source != 0; }) ||
+                              !potential.network.tabled_sources.empty();
     const bool sourced = reduction().any(sourced_here);
     const double rise = electric_conductivity_ ? electric_conductivity_->largest_rise() : 1;
     thermal.has_sources = true;
-    thermal.source_rate += sourced ? std::numeric_limits<double>::infinity()
-                                   : rise * reduction().largest(joule_->largest_rate(potential.high - potential.low));
+    thermal.source_rate +=
+        sourced ? std::numeric_limits<double>::infinity()
+                : rise * reduction().largest(joule_->largest_rate(potential.high - potential.low));
   }
   if (steps_potential()) {
     facts_.pair_step = std::min(facts_.pair_step, input.potential->pair_step);

@@ -27,8 +27,8 @@ const SlotConductivity* pointer_to(const std::optional<SlotConductivity>& value)
 
 /// Every contribution to df/dy, the same ones in the same order at every state. The steady potential counts
 /// as given: what it owes to the temperatures is left out, which costs Newton an iteration and no accuracy.
-/// Columns of rows that other processes have are `column_elsewhere`, or `across_elsewhere` where the row is of
-/// the other field.
+/// Columns of rows that other processes have are `column_elsewhere`, or `across_elsewhere` where the row is
+/// of the other field.
 template <class Add>
 void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add add) {
   update_conductances(t, y.data() + temperature_offset_);
@@ -103,9 +103,9 @@ double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
   own.assign(size(), 0.0);
   cross.assign(size(), 0.0);
   enumerate_jacobian(t, y, [&](std::size_t row, std::size_t column, double value) {
-    const bool same = column == column_elsewhere ||
-                      (column != across_elsewhere &&
-                       (row < temperature_offset_) == (column < temperature_offset_));
+    const bool same =
+        column == column_elsewhere ||
+        (column != across_elsewhere && (row < temperature_offset_) == (column < temperature_offset_));
     (same ? own : cross)[row] += std::abs(value);
   });
   double a = 0, b = 0, c = 0, e = 0;

@@ -1,8 +1,8 @@
 #pragma once
 /// Cuts a coupled or nonlinear scene into the parts that processes own.
 ///
-/// Each field is cut by its own rows. A process also knows the nodes that its rows touch in either field: their
-/// values come through a halo of their own.
+/// Each field is cut by its own rows. A process also knows the nodes that its rows touch in either field:
+/// their values come through a halo of their own.
 
 #include <optional>
 #include <vector>
@@ -13,8 +13,8 @@
 namespace superstep {
 
 struct FieldPart {
-  NetworkPart network;  ///< nodes are numbered as they are here
-  FieldInput input;     ///< all of it but the network and the halo of nodes
+  NetworkPart network;                      ///< nodes are numbered as they are here
+  FieldInput input;                         ///< all of it but the network and the halo of nodes
   std::int64_t rows = 0;                    ///< of the whole field
   std::vector<std::int64_t> rows_of_nodes;  ///< global rows of others that nodes here are, ascending
 };
@@ -33,6 +33,7 @@ void pack(const NonlinearPart& part, Packer& out);
 void unpack(Unpacker& in, NonlinearPart& part);
 
 /// The right-hand side of a part. Collective.
-[[nodiscard]] std::unique_ptr<NonlinearRhs> make_rhs(NonlinearPart part, Communicator& among, std::size_t block);
+[[nodiscard]] std::unique_ptr<NonlinearRhs> make_rhs(NonlinearPart part, Communicator& among,
+                                                     std::size_t block);
 
 }  // namespace superstep

@@ -36,7 +36,8 @@ TEST(ExactSums, OfOneTermAreThatTerm) {
     const double x = any_number(random);
     ASSERT_EQ(exact({x}), x);
   }
-  const double smallest = std::numeric_limits<double>::denorm_min(), largest = std::numeric_limits<double>::max();
+  const double smallest = std::numeric_limits<double>::denorm_min(),
+               largest = std::numeric_limits<double>::max();
   for (const double x : {0.0, smallest, -smallest, largest, -largest, 1.0}) EXPECT_EQ(exact({x}), x);
 }
 
@@ -44,8 +45,10 @@ TEST(ExactSums, OfTwoTermsAreRoundedOnceAsTheProcessorDoes) {
   std::mt19937_64 random(2);
   for (int k = 0; k < 50'000; ++k) {
     // Exponents close to each other, so that both have a part in the sum.
-    const double a = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), static_cast<int>(random() % 90) - 1100);
-    const double b = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), static_cast<int>(random() % 90) - 1100);
+    const double a = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())),
+                                static_cast<int>(random() % 90) - 1100);
+    const double b = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())),
+                                static_cast<int>(random() % 90) - 1100);
     ASSERT_EQ(exact({a, b}), a + b);
   }
 }
@@ -70,7 +73,8 @@ TEST(ExactSums, DoNotDependOnOrderOrGroups) {
     ExactSum all;
     for (std::size_t k = 0; k < terms.size();) {  // in groups that travel as words
       ExactSum group;
-      for (const std::size_t end = std::min(terms.size(), k + random() % 400 + 1); k < end; ++k) group.add(terms[k]);
+      for (const std::size_t end = std::min(terms.size(), k + random() % 400 + 1); k < end; ++k)
+        group.add(terms[k]);
       all.add(ExactSum::of(group.words()));
     }
     ASSERT_EQ(all.value(), expected);
@@ -126,7 +130,8 @@ TEST(Partitions, CoverAllRowsByWholeBlocks) {
 TEST(Reductions, AreTheSameWhoeverHasTheBlocks) {
   std::mt19937_64 random(5);
   std::vector<double> terms;
-  for (int k = 0; k < 100'000; ++k) terms.push_back(std::ldexp(static_cast<double>(random() >> 11), -static_cast<int>(random() % 80)));
+  for (int k = 0; k < 100'000; ++k)
+    terms.push_back(std::ldexp(static_cast<double>(random() >> 11), -static_cast<int>(random() % 80)));
   const double whole = Reduction(terms.size()).sum([&](std::size_t i) { return terms[i]; });
   for (const int processes : {2, 3, 4, 7}) {
     ExactSum all;

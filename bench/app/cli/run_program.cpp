@@ -50,8 +50,8 @@ int carry_out(const Command& command, bool root) {
     if (code == static_cast<int>(ExitCode::internal)) world().abort(code);  // the root would wait for ever
     return code;
   }
-  const int code =
-      with_errors_said(true, [&] { return std::visit([](const auto& chosen) { return execute(chosen); }, command); });
+  const int code = with_errors_said(
+      true, [&] { return std::visit([](const auto& chosen) { return execute(chosen); }, command); });
   dismiss_workers(code);
   return code;
 }

@@ -23,7 +23,8 @@ double sum_of(std::span<const double> values) {
 }  // namespace
 
 void DrivenLanczosPropagator::allocate() {
-  const double vector = static_cast<double>(std::max<std::size_t>(1, rhs().reduction().total()) * sizeof(double));
+  const double vector =
+      static_cast<double>(std::max<std::size_t>(1, rhs().reduction().total()) * sizeof(double));
   constexpr double most_ever = 40'000;
   most_vectors_ = static_cast<std::size_t>(std::min(memory_ / vector, most_ever));
   inputs_.clear();

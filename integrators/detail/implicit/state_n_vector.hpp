@@ -10,8 +10,8 @@
 
 namespace superstep::sundials {
 
-/// A vector of the reduction's own entries, 0 at first; null where memory is short. The reduction must outlive
-/// it and its clones.
+/// A vector of the reduction's own entries, 0 at first; null where memory is short. The reduction must
+/// outlive it and its clones.
 [[nodiscard]] N_Vector new_state_vector(const Reduction& reduction, SUNContext context) noexcept;
 
 /// Its entries that are here.

@@ -34,8 +34,8 @@ void wait_for(std::span<MPI_Request> requests) {
   }
 }
 
-/// Who wants which rows from whom is worked out by a star forest of PETSc; its messages are persistent ones. PETSc's
-/// own wait for them would hold the processor, on which those that are to answer may have to wait.
+/// Who wants which rows from whom is worked out by a star forest of PETSc; its messages are persistent ones.
+/// PETSc's own wait for them would hold the processor, on which those that are to answer may have to wait.
 class StarForest final : public Exchange {
  public:
   StarForest(const Partition& rows, std::span<const std::int64_t> halo) {
@@ -47,8 +47,8 @@ class StarForest final : public Exchange {
       remote[k].rank = owner;
       remote[k].index = static_cast<PetscInt>(halo[k] - rows.first(owner));
     }
-    check(PetscSFSetGraph(forest_, static_cast<PetscInt>(rows.owned()), static_cast<PetscInt>(halo.size()), nullptr,
-                          PETSC_COPY_VALUES, remote, PETSC_OWN_POINTER),
+    check(PetscSFSetGraph(forest_, static_cast<PetscInt>(rows.owned()), static_cast<PetscInt>(halo.size()),
+                          nullptr, PETSC_COPY_VALUES, remote, PETSC_OWN_POINTER),
           "PetscSFSetGraph");
     check(PetscSFSetUp(forest_), "PetscSFSetUp");
     MPI_Comm_dup(MPI_COMM_WORLD, &messages_);
@@ -86,8 +86,8 @@ class StarForest final : public Exchange {
     sent_.resize(wanted_.size());
     sends_ = static_cast<std::uint64_t>(ranks);
     for (PetscInt k = 0; k < ranks; ++k)
-      MPI_Send_init(sent_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE, rank[k], 0,
-                    messages_, &requests_.emplace_back());
+      MPI_Send_init(sent_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE,
+                    rank[k], 0, messages_, &requests_.emplace_back());
   }
   void prepare_receiving(std::size_t size) {
     PetscInt ranks = 0;
@@ -97,8 +97,8 @@ class StarForest final : public Exchange {
     received_.resize(size);
     if (ranks > 0) place_.assign(leaf, leaf + offset[ranks]);
     for (PetscInt k = 0; k < ranks; ++k)
-      MPI_Recv_init(received_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE, rank[k], 0,
-                    messages_, &requests_.emplace_back());
+      MPI_Recv_init(received_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE,
+                    rank[k], 0, messages_, &requests_.emplace_back());
   }
 
   PetscSF forest_ = nullptr;
@@ -137,7 +137,8 @@ class MpiWorld final : public Communicator {
     else
       bytes = receive(0);
   }
-  std::unique_ptr<Exchange> make_exchange(const Partition& rows, std::span<const std::int64_t> halo) override {
+  std::unique_ptr<Exchange> make_exchange(const Partition& rows,
+                                          std::span<const std::int64_t> halo) override {
     return std::make_unique<StarForest>(rows, halo);
   }
 
@@ -159,8 +160,8 @@ class MpiWorld final : public Communicator {
     MPI_Recv(&length, 1, MPI_UINT64_T, from, 0, letters_, MPI_STATUS_IGNORE);
     std::vector<std::byte> bytes(length);
     for (std::size_t begin = 0; begin < bytes.size(); begin += piece)
-      MPI_Recv(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE, from, 0,
-               letters_, MPI_STATUS_IGNORE);
+      MPI_Recv(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE, from,
+               0, letters_, MPI_STATUS_IGNORE);
     return bytes;
   }
 

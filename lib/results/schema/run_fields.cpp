@@ -87,7 +87,8 @@ const RecordFields<RunRecord>& fields_of<RunRecord>() {
         field("threads", &RunRecord::threads),
         field("processes", &RunRecord::processes, "that took part; CPU times are their sums"),
         field("distributed", &RunRecord::distributed,
-              "exact: the result of one process, bit by bit; gathered: one did it for all; empty: there was one"),
+              "exact: the result of one process, bit by bit; gathered: one did it for all; empty: there was "
+              "one"),
         group<RunRecord>("communication",
                          {field("reductions", &RunRecord::reductions, "sums and maxima over all processes"),
                           field("halo_messages", &RunRecord::halo_messages, "of all processes"),

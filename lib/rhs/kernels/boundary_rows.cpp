@@ -68,8 +68,8 @@ void BoundaryRows::begin(const double* y) {
 
 void BoundaryRows::sweep(const Stage& stage, std::size_t k, double* out) const noexcept {
   // The kernel takes slice k of the copy; what it reads and writes of the state stands elsewhere.
-  const auto shift =
-      (static_cast<std::ptrdiff_t>(slice_[k]) - static_cast<std::ptrdiff_t>(k)) * static_cast<std::ptrdiff_t>(lanes);
+  const auto shift = (static_cast<std::ptrdiff_t>(slice_[k]) - static_cast<std::ptrdiff_t>(k)) *
+                     static_cast<std::ptrdiff_t>(lanes);
   Stage here = stage;
   here.y1 = value_.data();
   if (here.y2) here.y2 += shift;

@@ -1,9 +1,9 @@
 #pragma once
 /// Rows of a shared network that need values of other processes.
 ///
-///   Rows are swept in slices of eight. A slice none of whose rows needs the halo is swept over the state as it
-///   is, while the halo travels. The others are swept over a compact copy of what they need, in the same order
-///   of terms:
+///   Rows are swept in slices of eight. A slice none of whose rows needs the halo is swept over the state as
+///   it is, while the halo travels. The others are swept over a compact copy of what they need, in the same
+///   order of terms:
 ///     [ own rows of the boundary's slices | other own rows | halo ]
 ///   so that a row has the same bits whoever owns its neighbours.
 

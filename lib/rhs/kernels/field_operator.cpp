@@ -133,8 +133,7 @@ void FieldOperator::add_inputs(double t, const Stage& stage, std::size_t first, 
 
 void FieldOperator::stage(double t, const Stage& stage, double* out) {
   (void)ghost_values(t);
-  sweep_all(stage, out,
-            [&](std::size_t first, std::size_t last) { add_inputs(t, stage, first, last, out); });
+  sweep_all(stage, out, [&](std::size_t first, std::size_t last) { add_inputs(t, stage, first, last, out); });
 }
 
 void FieldOperator::varying_stage(double t, ConductanceMean mean, const SlicedRows& geometry,

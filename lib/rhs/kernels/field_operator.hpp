@@ -121,7 +121,8 @@ class FieldOperator {
   /// With what sources supply.
   [[nodiscard]] double total_inflow(double t, RowInflow& sum) const;
 
-  /// One stage on all slices, conduction alone; finish(first, last) then does what else is to be done to rows.
+  /// One stage on all slices, conduction alone; finish(first, last) then does what else is to be done to
+  /// rows.
   template <class Finish>
   void sweep_all(const Stage& stage, double* out, const Finish& finish) const;
   // For a time that `ghost_values` has been called with.
@@ -160,7 +161,8 @@ void FieldOperator::sweep_all(const Stage& stage, double* out, const Finish& fin
   };
   if (!boundary_) return for_slices(rate_, sweep);
   boundary_->begin(stage.y1);
-  for_slices(rate_, [&](std::size_t first, std::size_t last) { boundary_->for_interior(first, last, sweep); });
+  for_slices(rate_,
+             [&](std::size_t first, std::size_t last) { boundary_->for_interior(first, last, sweep); });
   boundary_->end();
   for_ranges(boundary_->slices(), boundary_->slices() * lanes, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {

@@ -36,9 +36,8 @@ std::span<const double> NodeValues::on_slots(double t, const double* state) {
     value_[static_cast<std::size_t>(entry.node)] = inputs_.at(static_cast<std::size_t>(entry.table), t);
   if (!halo_) return value_;
   halo_->end();
-  for_each_entry(slot_of_halo_.size(), [&](std::size_t k) {
-    value_[static_cast<std::size_t>(slot_of_halo_[k])] = halo_value_[k];
-  });
+  for_each_entry(slot_of_halo_.size(),
+                 [&](std::size_t k) { value_[static_cast<std::size_t>(slot_of_halo_[k])] = halo_value_[k]; });
   return value_;
 }
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "parallel/halo.hpp"
-
 #include "rhs/tabled_inputs.hpp"
 
 namespace superstep {

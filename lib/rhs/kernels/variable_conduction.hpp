@@ -78,7 +78,7 @@ class VariableConduction {
   void fetch_beyond(const FieldOperator& field, const double* y);
   void update_ghosts(const SlotConductivity& conductivity, const FieldOperator& field);
 
-  std::vector<std::int32_t> slot_of_row_;  ///< of columns beyond the own rows, too
+  std::vector<std::int32_t> slot_of_row_;          ///< of columns beyond the own rows, too
   std::vector<std::int32_t> slot_of_ghost_edge_;   ///< -1: an ambient, whose conductance is constant
   std::vector<std::int32_t> varying_ghost_edges_;  ///< the others of them
   std::vector<double> geometry_, ghost_geometry_;
