@@ -24,8 +24,7 @@ enum class NodeRole : char {
 ///   ghosts    edges from a free node to a node with a fixed value, or to the ambient that it convects to,
 ///             sorted by row
 ///   halo      where several processes share a network, each has consecutive rows of it; columns beyond its
-///   own
-///             are values of rows that others have, in ascending order
+///             own are values of rows that others have, in ascending order
 struct Network {
   struct GhostEdge {
     std::int32_t row, ghost;
