@@ -72,10 +72,7 @@ void MovingNetwork::touch_walls(State& state, const Phase& phase, std::span<cons
   for (const std::int32_t i : forced) before.push_back(held_[at(i)]);
   std::fill(held_.begin(), held_.end(), -1);
   const Electrodes electrodes = electrodes_of(phase);
-  if (!holds_temperatures(model_) || !electrodes.any()) {
-    state.held = held_;
-    return;
-  }
+  if (!holds_temperatures(model_) || !electrodes.any()) return;
   std::fill(depth_.begin(), depth_.end(), 0.0);
   for (const auto& contact : wall_contacts_) {
     const auto i = static_cast<std::size_t>(contact.particle);
@@ -92,7 +89,6 @@ void MovingNetwork::touch_walls(State& state, const Phase& phase, std::span<cons
   }
   for (std::size_t i = 0; i < held_.size(); ++i)
     if (held_[i] >= 0) state.temperature[i] = model_.thermal.wall_temperature[at(held_[i])];
-  state.held = held_;
 }
 
 std::int32_t MovingNetwork::nearest_electrode(const Electrodes& electrodes, double upper_wall,
@@ -135,11 +131,7 @@ void MovingNetwork::refresh(State& state, const Phase& phase) {
 void MovingNetwork::resume(State& state, const Phase& phase) {
   contacts_.set_bonds(state.bonds);
   place(state.position, state.temperature, phase, state.time);
-  // A step that landed on a jump decided it; rounding must not decide it again.
-  if (state.held.size() == held_.size())
-    held_ = state.held;
-  else
-    touch_walls(state, phase);
+  touch_walls(state, phase);
   refresh(state, phase);
 }
 

@@ -43,8 +43,6 @@ struct State {
   std::vector<double> temperature;  ///< [n] K
   std::vector<double> electric;     ///< [n] current J [A], or potential [V], as the model has it
   std::vector<Bond> bonds;          ///< sorted by (i, j)
-  /// [n] wall whose temperature each particle has to keep, or -1; empty = not found yet.
-  std::vector<std::int32_t> held = {};
 
   [[nodiscard]] std::size_t size() const noexcept { return position.size(); }
 };
