@@ -53,8 +53,9 @@ VtkPolyData sintering_contacts(const Press& one, const dynamics::MovingNetwork& 
   }
   data.cell_data = {
       {"overlap", std::move(overlap)}, {"area", std::move(area)}, {"bonded", std::move(bonded)}};
-  add_flow(data, "temperature", contacts, state.temperature,
-           [&](const dynamics::ContactPoint& contact) { return dynamics::pair_conductance(contact); });
+  add_flow(data, "temperature", contacts, state.temperature, [&](const dynamics::ContactPoint& contact) {
+    return dynamics::pair_conductance(one.model.thermal, contact);
+  });
   if (one.model.electric.model == CurrentModel::potential)
     add_flow(data, "potential", contacts, state.electric, [&](const dynamics::ContactPoint& contact) {
       return one.model.electric.conductivity * contact.area / contact.distance;

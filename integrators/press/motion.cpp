@@ -27,9 +27,6 @@ Motion::Motion(const Model& model, const Particles& particles, const SteppingSet
   if (particles.size() == 0) throw InputError("there are no particles; give at least one");
   check_settings(settings);
   stepper_ = make_stepper(settings, network_);
-  locates_ = settings.control == SteppingSettings::Control::steady &&
-             settings.scheme == SteppingSettings::Scheme::staggered && has_switches(model);
-  smallest_radius_ = *std::min_element(particles.radius.begin(), particles.radius.end());
 }
 
 void Motion::start(State state) {
@@ -75,10 +72,9 @@ Outcome Motion::take_step(double t_out) {
   const double longest = std::min({settings_.largest_step, stepper_->limit(), travel_limit()});
   for (std::int64_t rejections = 0;; ++rejections) {
     const double remaining = end - state_.time;
-    double h = fitted(std::min(step_, longest), remaining);
-    Forced forced;
-    const Attempt attempt = land(phase, h, forced);
+    const double h = fitted(std::min(step_, longest), remaining);
     const bool to_end = h == remaining;
+    const Attempt attempt = stepper_->attempt(state_, phase, h);
     if (!attempt.failure.ok()) return attempt.failure;
     if (attempt.converged) {
       state_.time = to_end ? end : state_.time + h;
@@ -86,7 +82,7 @@ Outcome Motion::take_step(double t_out) {
       const double factor = settings_.bounds.after_success(attempt.factor);
       const double wanted = h * (rejections > 0 ? std::min(factor, 1.0) : factor);
       step_ = std::min(settings_.largest_step, h < step_ * (1 - rounding) ? std::max(step_, wanted) : wanted);
-      accept(phase, h, attempt, rejections, forced);
+      accept(phase, h, attempt, rejections);
       return check();
     }
     // A restart begins from the same state, whose current is solved already (Algorithm 1, step 7b).
@@ -100,60 +96,17 @@ Outcome Motion::take_step(double t_out) {
 /// Step in which nobody goes too far at the speed of now [s]; what forces add, the steppers watch.
 double Motion::travel_limit() const {
   constexpr double margin = 0.8;  // for what they add
-  double fastest = 0;             // smallest radii a second
+  double fastest = 0;             // radii a second
   for (std::size_t i = 0; i < state_.size(); ++i)
-    fastest = std::max(fastest, norm(state_.velocity[i]) / smallest_radius_);
+    fastest = std::max(fastest, norm(state_.velocity[i]) / particles_.radius[i]);
   return fastest > 0 ? margin * farthest_in_a_step / fastest : std::numeric_limits<double>::infinity();
 }
 
-/// A step of h [s], or up to the first jump in it: `h` becomes shorter. More than a few jumps in one step are
-/// not worth a step each; they happen at its end.
-Attempt Motion::land(const Phase& phase, double& h, Forced& forced) {
-  constexpr std::size_t few = 4;
-  constexpr int trials = 4;
-  constexpr double together = 1e-6;  // of a step: those that symmetry lets happen at once
-  constexpr double close = 1e-4;  // of a step: the error of landing there goes with h^2 of a step that size
-  if (!locates_) return stepper_->attempt(state_, phase, h);
-  before_ = state_;
-  for (int trial = 0;; ++trial) {
-    Attempt attempt = stepper_->attempt(state_, phase, h);
-    if (!attempt.failure.ok() || !attempt.converged || trial == trials) return attempt;
-    const auto switches = find_switches(network_, before_, state_, phase, h);
-    if (switches.empty() || switches.size() > few) return attempt;
-    const double part = switches.front().part;
-    if (part >= 1 - close) return attempt;  // they switch at the end
-    forced = together_with_first(switches, together);
-    std::swap(state_, before_);
-    before_ = state_;
-    h = std::max(part * h, settings_.smallest_step);
-  }
-}
-
-/// The heat of the current is that of the step's begin all through the step; half of its change makes it the
-/// mean, so that temperatures are of order 2 with currents that change.
-void Motion::correct_heat(double h) {
-  const auto heat = network_.current().heat();
-  const auto held = network_.held();
-  for (std::size_t i = 0; i < heat.size(); ++i)
-    if (held[i] < 0)
-      state_.temperature[i] +=
-          settings_.phi * h * (heat[i] - heat_begin_[i]) / heat_capacity(model_.thermal, particles_, i);
-}
-
-void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections,
-                    const Forced& forced) {
+void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections) {
   iterations_ += static_cast<std::uint64_t>(attempt.iterations);
   if (observe_step) observe_step(network_, h);
   connected_ = network_.current().connected();
-  const bool steady = settings_.control == SteppingSettings::Control::steady &&
-                      settings_.scheme == SteppingSettings::Scheme::staggered &&
-                      model_.electric.model != CurrentModel::none;
-  if (steady) heat_begin_.assign(network_.current().heat().begin(), network_.current().heat().end());
-  network_.settle(state_, phase, forced.bonds, forced.particles);
-  if (steady) {
-    correct_heat(h);
-    network_.refresh(state_, phase);
-  }
+  network_.settle(state_, phase);
   stepper_->begin(state_);
   record(phase, h, attempt.iterations, rejections);
   if (const Phase& next = model_.schedule.at(state_.time); &next != &phase) {

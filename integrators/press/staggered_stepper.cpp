@@ -20,9 +20,7 @@ StaggeredStepper::StaggeredStepper(const SteppingSettings& settings, MovingNetwo
     : settings_(settings),
       network_(network),
       bridge_(make_bridge(settings.thermal_integrator)),
-      reduction_(network.particles().size()),
-      smallest_radius_(
-          *std::min_element(network.particles().radius.begin(), network.particles().radius.end())) {
+      reduction_(network.particles().size()) {
   const std::size_t n = network.particles().size();
   for (auto* v : {&force_, &force_begin_, &position_, &position_before_, &velocity_}) v->resize(n);
   for (auto* v : {&rate_, &rate_begin_, &temperature_, &temperature_before_}) v->resize(n);
@@ -65,7 +63,8 @@ bool StaggeredStepper::measure_motion(const State& state, int iteration) {
   position_error_.measure(
       iteration, reduction_.sum([&](std::size_t i) { return norm(position_[i] - position_before_[i]); }),
       reduction_.sum(moved_by));
-  travelled_ = reduction_.max(moved_by) / smallest_radius_;
+  const auto& radius = network_.particles().radius;
+  travelled_ = reduction_.max([&](std::size_t i) { return moved_by(i) / radius[i]; });
   return travelled_ <= farthest_in_a_step;
 }
 
@@ -80,13 +79,8 @@ bool StaggeredStepper::measure_heat(const State& state, int iteration) {
 }
 
 double StaggeredStepper::factor(int iteration, double unknown) const {
-  // The work for a stretch of time, iterations over step, is least at p K = ln(1/TOL): four iterations for
-  // the usual tolerance and p = 2. Aiming there leaves room to converge where the next step is harder than
-  // this one.
-  const bool steady = settings_.control == SteppingSettings::Control::steady;
-  const int wanted = steady ? std::max(2, settings_.iterations / 2) : settings_.iterations;
-  return std::min(position_error_.factor(iteration, wanted, settings_.power, unknown),
-                  temperature_error_.factor(iteration, wanted, settings_.power, unknown));
+  return std::min(position_error_.factor(iteration, settings_.iterations, settings_.power, unknown),
+                  temperature_error_.factor(iteration, settings_.iterations, settings_.power, unknown));
 }
 
 /// How much shorter a step must be whose trial went too far; NaN went further than any number.

@@ -46,8 +46,7 @@ class StaggeredStepper final : public Stepper {
   std::optional<ThermalBridge> bridge_;
   Reduction reduction_;
   double wall_force_ = 0;
-  double smallest_radius_;
-  double travelled_ = 0;  // of the trial at hand: the longest way, in smallest radii
+  double travelled_ = 0;  // of the trial at hand: the longest way, in radii
   std::vector<Vec3> force_, force_begin_, position_, position_before_, velocity_;
   std::vector<double> rate_, rate_begin_, temperature_, temperature_before_;
   FieldError position_error_, temperature_error_;
@@ -67,7 +66,7 @@ class PlainStepper final : public Stepper {
   }
 
  private:
-  double fraction_, smallest_radius_;
+  double fraction_;
   MovingNetwork& network_;
   std::optional<ThermalBridge> bridge_;
   double limit_ = 0, wall_force_ = 0;

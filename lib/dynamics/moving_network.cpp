@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/index.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 
@@ -30,7 +29,7 @@ Electrodes electrodes_of(const Phase& phase) {
 MovingNetwork::MovingNetwork(const Model& model, const Particles& particles)
     : model_(model),
       particles_(particles),
-      contacts_(model.bond, model.skin, particles, model.thermal.conductivity),
+      contacts_(model.bond, model.skin, particles),
       current_(model.electric, particles),
       held_(particles.size(), -1),
       depth_(particles.size(), 0.0) {}
@@ -67,51 +66,30 @@ void MovingNetwork::rates(std::span<const double> temperature, std::span<double>
              rate);
 }
 
-void MovingNetwork::touch_walls(State& state, const Phase& phase, std::span<const std::int32_t> forced) {
-  std::vector<std::int32_t> before;
-  for (const std::int32_t i : forced) before.push_back(held_[at(i)]);
+void MovingNetwork::touch_walls(State& state, const Phase& phase) {
   std::fill(held_.begin(), held_.end(), -1);
   const Electrodes electrodes = electrodes_of(phase);
-  if (!holds_temperatures(model_) || !electrodes.any()) return;
+  if (model_.electric.model == CurrentModel::none || !model_.electric.hold_temperature || !electrodes.any())
+    return;
   std::fill(depth_.begin(), depth_.end(), 0.0);
   for (const auto& contact : wall_contacts_) {
     const auto i = static_cast<std::size_t>(contact.particle);
     if (!electrodes.of(contact.wall) || !(-contact.strain > depth_[i])) continue;
     depth_[i] = -contact.strain;
     held_[i] = contact.wall;
+    state.temperature[i] = model_.thermal.wall_temperature[static_cast<std::size_t>(contact.wall)];
   }
-  for (std::size_t k = 0; k < forced.size(); ++k) {
-    const std::size_t i = at(forced[k]);
-    if (before[k] >= 0)
-      held_[i] = -1;
-    else if (held_[i] < 0)
-      held_[i] = nearest_electrode(electrodes, phase.wall_height(state.time), state.position[i]);
-  }
-  for (std::size_t i = 0; i < held_.size(); ++i)
-    if (held_[i] >= 0) state.temperature[i] = model_.thermal.wall_temperature[at(held_[i])];
 }
 
-std::int32_t MovingNetwork::nearest_electrode(const Electrodes& electrodes, double upper_wall,
-                                              Vec3 point) const {
-  if (!electrodes.lower) return upper;
-  if (!electrodes.upper) return lower;
-  return wall_distance(model_.box, upper_wall, lower, point) <=
-                 wall_distance(model_.box, upper_wall, upper, point)
-             ? lower
-             : upper;
-}
-
-void MovingNetwork::settle(State& state, const Phase& phase,
-                           std::span<const std::pair<std::int32_t, std::int32_t>> forced_bonds,
-                           std::span<const std::int32_t> forced_particles) {
+void MovingNetwork::settle(State& state, const Phase& phase) {
   {
     const PartTimer timer(times.contacts);
-    contacts_.update_bonds(forced_bonds);
+    contacts_.update_bonds();
     state.bonds.assign(contacts_.bonds().begin(), contacts_.bonds().end());
   }
   {
     const PartTimer timer(times.current);
-    touch_walls(state, phase, forced_particles);
+    touch_walls(state, phase);
   }
   {
     const PartTimer timer(times.contacts);
@@ -119,20 +97,16 @@ void MovingNetwork::settle(State& state, const Phase& phase,
     contacts_.begin_step();
   }
   const PartTimer timer(times.current);
-  current_.update(placement(), electrodes_of(phase), state.temperature, state.electric);
-}
-
-void MovingNetwork::refresh(State& state, const Phase& phase) {
-  act_bonds(state.temperature, {});
-  contacts_.begin_step();
-  current_.restore(placement(), electrodes_of(phase), state.temperature, state.electric);
+  current_.update(placement(), electrodes_of(phase), state.electric);
 }
 
 void MovingNetwork::resume(State& state, const Phase& phase) {
   contacts_.set_bonds(state.bonds);
   place(state.position, state.temperature, phase, state.time);
   touch_walls(state, phase);
-  refresh(state, phase);
+  act_bonds(state.temperature, {});
+  contacts_.begin_step();
+  current_.restore(placement(), electrodes_of(phase), state.electric);
 }
 
 Network MovingNetwork::frozen_network() const {

@@ -38,14 +38,7 @@ class MovingNetwork {
 
   /// What happens once per accepted step, at the instant last placed: bonds form and break, particles that
   /// touch an electrified wall take its temperature, the current is solved anew.
-  ///   forced_bonds, forced_particles  sorted; whose bond, or hold by a wall, switches now whatever rounding
-  ///   says
-  void settle(State& state, const Phase& phase,
-              std::span<const std::pair<std::int32_t, std::int32_t>> forced_bonds = {},
-              std::span<const std::int32_t> forced_particles = {});
-  /// After `settle`, when temperatures were corrected: bonds, their rates and the heat of the currents
-  /// follow.
-  void refresh(State& state, const Phase& phase);
+  void settle(State& state, const Phase& phase);
   /// The same from a stored state, whose bonds and currents stand.
   void resume(State& state, const Phase& phase);
 
@@ -64,9 +57,7 @@ class MovingNetwork {
   PartTimes times;
 
  private:
-  void touch_walls(State& state, const Phase& phase, std::span<const std::int32_t> forced = {});
-  [[nodiscard]] std::int32_t nearest_electrode(const Electrodes& electrodes, double upper_wall,
-                                               Vec3 point) const;
+  void touch_walls(State& state, const Phase& phase);
   void act_bonds(std::span<const double> temperature, StepPart step);
 
   const Model& model_;

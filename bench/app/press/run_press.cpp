@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 
-#include "bench/app/press/export_packing.hpp"
 #include "bench/app/press/press_commands.hpp"
 #include "bench/app/press/sintering_files.hpp"
 #include "bench/host/interrupt.hpp"
@@ -219,9 +218,6 @@ int run_into(const Press& one, const RunCommand& command, double cpu_setup, cons
   write_file_atomically(folder + "/final.csv", particles_csv(one, motion.state()));
   for (const char* name : {"history.csv", "history.svg", "final.csv", "run.json"})
     result.files.emplace_back(name);
-  if (!command.export_packing.empty() && result.outcome.ok())
-    for (const auto& name : export_packing(command.export_packing, one, motion.network(), motion.state()))
-      if (!quiet) note("packing in " + name);
   const std::string json = sintering_json(one, motion, result, command.common.threads);
   write_file_atomically(folder + "/run.json", json);
   if (!quiet) warn(result.warnings);
@@ -244,8 +240,6 @@ int run_press(const RunCommand& command, const Press& press, double cpu_setup) {
     throw UsageError(
         "run: --max-work counts sweeps over a network that stays as it is; particles that move "
         "have none, give --time-limit");
-  if (!command.export_packing.empty() && command.integrators.size() > 1)
-    throw UsageError("run: --export-packing takes one run; give one --integrator");
   catch_interrupts();
   const std::string out = command.out.empty() ? default_output_folder(press.name) : command.out;
   const auto specs = command.integrators.empty() ? std::vector<std::string>{""} : command.integrators;

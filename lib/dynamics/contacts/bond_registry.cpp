@@ -18,7 +18,7 @@ BondedPair pair_of(const BondSurroundings& around, const ContactTable& table, st
   return {.strain = strain,
           .temperature = temperature,
           .pressure = strain < 0 ? softened(around.contact.stiffness, around.contact.softening, temperature) *
-                                       strain_power(-strain, around.contact.exponent) * table.hardness[k]
+                                       strain_power(-strain, around.contact.exponent)
                                  : 0,
           .mobility = around.mobility.empty() ? 1 : around.mobility[i] * around.mobility[j],
           .contact_area = table.area[k],
