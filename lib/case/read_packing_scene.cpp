@@ -65,6 +65,10 @@ std::size_t sphere_count(TomlTable& table, std::int64_t fallback) {
 Packing generate_grid(TomlTable& table, double unit) {
   constexpr std::size_t smallest = 8;
   GridSettings settings;
+  for (const char* key : {"generator", "length_unit", "units", "periodic", "box", "count", "spacing",
+                          "jitter", "seed", "sizes", "materials", "shares", "container"})
+    (void)table.find(key);
+  table.finish();  // a misspelt key is said first: without it others would not fit together
   settings.count = sphere_count(table, 0);
   if (settings.count < smallest)
     table.require("count", "a grid needs the number of its spheres")
@@ -80,7 +84,10 @@ Packing generate_grid(TomlTable& table, double unit) {
     sizes.reject("a grid has sizes of distribution = \"uniform\", min no larger than max");
   settings.smallest = read.min;
   settings.largest = read.max;
-  if (const auto names = table.find("materials")) settings.materials = names->strings();
+  if (const auto names = table.find("materials")) {
+    settings.materials = names->strings();
+    if (settings.materials.empty()) names->reject("it must name at least one material");
+  }
   if (const auto shares = table.find("shares")) {
     settings.shares = positive_numbers(*shares);
     if (settings.shares.size() != settings.materials.size())

@@ -74,7 +74,7 @@ TEST_F(Program, LongerAndShorterNamesAreUnderstood) {
 
 TEST_F(Program, APackingInPlaceOfACaseIsToldApart) {
   folder_.write("three.csv", "id,x,y,z,radius\n1,0,0,0,1\n2,1.9,0,0,1\n");
-  for (const char* command : {"run", "bench", "info", "stability", "bench --work-precision"}) {
+  for (const char* command : {"run", "bench", "stability", "bench --work-precision"}) {
     expect_error(fmt::format("{} three.csv", command), 3, "three.csv: this is a packing");
     EXPECT_NE(err().find("[packing] file = 'three.csv'"), std::string::npos) << err();
   }
@@ -321,11 +321,12 @@ TEST_F(Program, ListNamesEveryIntegratorWithItsKeys) {
   EXPECT_TRUE(json.at("cases").empty());
   for (const auto& entry : json.at("integrators"))
     for (const auto& key : entry.at("keys"))
-      if (key.at("name") == "rtol")
+      if (key.at("name") == "rtol") {
         EXPECT_NE(key.at("meaning").get<std::string>().find(
                       "error allowed at every output time (rms), relative to the span of the field"),
                   std::string::npos)
             << entry.at("name") << ": a tolerance means the same everywhere";
+      }
 }
 
 }  // namespace

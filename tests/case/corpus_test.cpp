@@ -75,10 +75,9 @@ TEST(CorpusTags, NameWhatIsWrong) {
     }
     return std::string();
   };
-  EXPECT_EQ(
-      message("[corpus]\nset = \"quik\"\n"),
-      "case.toml:2: key 'corpus.set' is \"quik\"; it must be one of quick, standard, large; did you mean "
-      "'quick'?");
+  EXPECT_EQ(message("[corpus]\nset = \"quik\"\n"),
+            "case.toml:2: key 'corpus.set' is 'quik'; it must be one of quick, standard, large; did you mean "
+            "'quick'?");
 }
 
 }  // namespace

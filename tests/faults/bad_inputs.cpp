@@ -48,7 +48,7 @@ std::vector<std::string> bad_numbers(const CaseKey& key, bool whole) {
     if (!whole) out.push_back(show(key.min - 1e-6 * std::max(1.0, std::abs(key.min))));
   }
   if (std::isfinite(key.max)) {
-    out.push_back(show(key.max + 1));
+    out.push_back(show(key.max + std::max(1.0, 1e-6 * std::abs(key.max))));
     if (key.max_open) out.push_back(show(key.max));
     if (!whole) out.push_back(show(key.max + 1e-6 * std::max(1.0, std::abs(key.max))));
   }

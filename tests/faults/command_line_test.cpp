@@ -91,6 +91,15 @@ Line bad_values(const std::string& type) {
         "uniform:min=0,max=1", "uniform:min=nan,max=1", "lognormal:min=1,max=2", "list:", "list:1,,2",
         "list:-1", "list:x", "\xff"}},
       {"FILE", {"/nowhere/at/all", "/dev/zero", "/dev"}},
+      {"SET", {"fastest", "/nowhere/at/all"}},
+      {"K", numbers},
+      {"RHO", numbers},
+      {"C", numbers},
+      {"AXIS", {"w", "xy", "1", "\xff"}},
+      {"LAW", {"hertzian", "1", "\xff"}},
+      {"STYLE", {"imperial", "1", "\xff"}},
+      {"AXES", {"w", "1", "\xff"}},
+      {"FOLDER", {"/dev/null", "/proc/nowhere"}},
       {"DIR", {}}};
   const auto found = bad.find(type);
   EXPECT_NE(found, bad.end()) << "an option takes " << type << ": say here what it refuses";

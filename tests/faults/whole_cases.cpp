@@ -294,6 +294,15 @@ Tree press_of_a_list() {
   return tree;
 }
 
+Tree press_with_necks() {
+  Tree tree = press_of_a_list();
+  tree["dynamics"]["bond"] = Tree::parse(R"({ "stiffness": 1e6, "threshold": 0.05, "rule": "rest-length",
+    "rupture": 0.2, "unloading": 0.02, "damping": 0.1, "softening_temperature": 1500.0, "stiffness_floor": 1e5,
+    "growth": { "mechanism": "coble", "rate": 1.0, "activation_energy": 1e5, "reference_temperature": 900.0,
+      "sintering_stress": 1e6 } })");
+  return tree;
+}
+
 }  // namespace
 
 std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
@@ -327,7 +336,8 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"generated", CaseKey::network, generated_network(listed_table)},
           {"driven", CaseKey::network, generated_network(table_in_file)},
           {"press", CaseKey::press, press()},
-          {"list", CaseKey::press, press_of_a_list()}};
+          {"list", CaseKey::press, press_of_a_list()},
+          {"necks", CaseKey::press, press_with_necks()}};
 }
 
 }  // namespace superstep::test

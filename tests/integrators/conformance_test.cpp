@@ -32,6 +32,8 @@ std::vector<std::string> all_specs() {
 double exactness(const std::string& spec) {
   // The finish of a ROCK4 step multiplies roundings by up to 1e-5 s^8, kept below a tenth of the tolerance.
   if (spec.starts_with("rock")) return 1e-9;
+  // Explicit steps at the limit of stability: their sizes, and so the errors, hang on the last bits.
+  if (spec.starts_with("arkode") && spec.find("erk") != std::string::npos) return 1e-7;
   for (const char* iteration : {"pcg", "gmres", "fixed-point"})
     if (spec.find(iteration) != std::string::npos) return 1e-7;
   return 1e-12;

@@ -140,6 +140,9 @@ void apply_outside(const TomlValue& outside, double t_end, TimeTable& table) {
 Amount read_amount(const TomlValue& amount, double t_end, Graph& graph) {
   if (!amount.is_table()) return {amount.number(), -1};
   TomlTable table = amount.table();
+  for (const char* key : {"file", "time", "value", "times", "values", "scale", "period", "outside"})
+    (void)table.find(key);
+  table.finish();  // a misspelt key is said first: without it another column would be looked for
   const auto file = table.find("file");
   if (file && (table.find("times") || table.find("values")))
     file->reject("give either a file, or times and values");
@@ -150,7 +153,6 @@ Amount read_amount(const TomlValue& amount, double t_end, Graph& graph) {
   if (period && outside) outside->reject("a table with a period has no outside; leave one of the two out");
   if (period) out = repeated(out, *period, t_end);
   if (outside) apply_outside(*outside, t_end, out);
-  table.finish();
   graph.tables.push_back(std::move(out));
   return {graph.tables.back().at(0), static_cast<std::int32_t>(graph.tables.size()) - 1};
 }

@@ -70,7 +70,9 @@ std::vector<std::size_t> nodes_of(TomlTable& entry, const Graph& graph, const Po
     }
   std::unordered_map<std::int64_t, std::size_t> position;
   for (std::size_t k = 0; k < graph.nodes(); ++k) position.emplace(graph.id[k], k);
-  for (const auto& id : entry.require("ids", "it lists nodes").array()) {
+  const auto ids = entry.require("ids", "it lists nodes");
+  if (ids.array().empty()) ids.reject("it must hold at least one id");
+  for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
     if (found == position.end()) id.reject("it must be the id of a node");
     out.push_back(found->second);
@@ -88,6 +90,7 @@ void read_fixed(TomlTable& network, double t_end, const PoreNetwork* pores, Grap
       if (values.given[k]) fix(graph, k, {values.value[k], -1}, *fixed);
     return;
   }
+  if (fixed->array().empty()) fixed->reject("it must hold at least one entry { ids, value }");
   for (const auto& value : fixed->array()) {
     TomlTable entry = value.table();
     const auto nodes = nodes_of(entry, graph, pores);
@@ -115,8 +118,9 @@ void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, 
   if (pores == nullptr) read_vector(network, "capacity", graph.id, graph.capacity);
   for (std::size_t k = 0; k < graph.nodes(); ++k)
     if (!(graph.capacity[k] >= 0))
-      throw InputError(fmt::format("{}: capacity of node {} is {}; it must be >= 0 (J/K or F)",
-                                   network.where(), graph.id[k], graph.capacity[k]));
+      network.require("capacity", "")
+          .reject(fmt::format("the capacity of node {} is {}; it must be >= 0 (J/K or F)", graph.id[k],
+                              graph.capacity[k]));
   read_source(network, t_end, graph);
   if (const auto initial = network.find("initial"); initial && initial->is_string())
     read_vector(network, "initial", graph.id, graph.initial);

@@ -82,6 +82,10 @@ Graph generate(TomlTable& network, const TomlValue& named, double t_end) {
     for (const auto& known : network_generators()) names.push_back(known.name);
     named.reject("it must name a generator of networks" + suggestion(name, names));
   }
+  for (const char* key : {"field", "size", "contrast", "spread", "fraction", "seed", "expect", "initial",
+                          "inlet", "outlet", "source", "nodes", "edges"})
+    (void)network.find(key);
+  network.finish();  // a misspelt key is said first: without it another network would be made
   GeneratedNetwork made = generator->make(read_recipe(network, *generator));
   if (const auto expected = network.find("expect"))
     if (const std::string hash = network_hash(made); hash != expected->string())
