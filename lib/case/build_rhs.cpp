@@ -32,8 +32,11 @@ std::vector<char> apply_roles(RoleReport report, FieldScene& field) {
   return std::move(report.live);
 }
 
-/// Range of everything that the field starts from, or is held at up to t_end.
+/// Range of everything that the field starts from, or is held at up to t_end. Where a node of capacity 0
+/// starts says nothing: it takes the value that its neighbours give it.
 void set_range(double t_end, FieldScene& field) {
+  std::vector<char> follows(field.graph.nodes(), 0);
+  for (const auto& algebraic : field.algebraic) follows[at(algebraic.node)] = 1;
   bool first = true;
   const auto take = [&](double value) {
     field.low = first ? value : std::min(field.low, value);
@@ -47,6 +50,7 @@ void set_range(double t_end, FieldScene& field) {
   };
   const auto& graph = field.graph;
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    if (follows[node]) continue;
     if (!graph.is_fixed[node])
       take(graph.initial[node]);
     else if (graph.fixed_table.empty() || graph.fixed_table[node] < 0)

@@ -185,5 +185,31 @@ TEST_F(GraphFiles, EveryBadRowIsOneClearError) {
   expect(nodes_, std::string("i,j\0", 4), "binary");
 }
 
+/// A table that rules a fixed value and a source: the value is counted from the origin, the source is not.
+TEST(NetworkOrigin, MovesValuesAndLeavesSources) {
+  Graph graph = equal_nodes(3);
+  add_edge(graph, 0, 1, 2);
+  add_edge(graph, 1, 2, 1);
+  graph.tables = {{.time = {0, 1}, .value = {10, 12}}, {.time = {0, 1}, .value = {20, 30}}};
+  graph.is_fixed[0] = 1;
+  graph.fixed_table = {0, -1, -1};
+  graph.tabled_sources = {{1, 0}};
+  graph.convection = {{1, 0.5, 11, -1}, {2, 0.5, 0, 1}};
+  const std::vector<NodeRole> roles = {NodeRole::fixed, NodeRole::free, NodeRole::free};
+  const Network network = build_network(graph, roles, 10);
+  EXPECT_EQ(network.origin, 10);
+  ASSERT_EQ(network.ghost_value.size(), 3U);
+  for (std::size_t ghost = 0; ghost < 3; ++ghost) {
+    const auto table = network.ghost_table[ghost];
+    const double whole = build_network(graph, roles).ghost_value[ghost];
+    EXPECT_EQ(network.ghost_value[ghost], whole - 10);
+    if (table < 0) continue;
+    EXPECT_EQ(network.tables[static_cast<std::size_t>(table)].value.front(), whole - 10);
+  }
+  ASSERT_EQ(network.tabled_sources.size(), 1U);
+  const auto source = static_cast<std::size_t>(network.tabled_sources.front().table);
+  EXPECT_EQ(network.tables[source].value, (std::vector<double>{10, 12}));
+}
+
 }  // namespace
 }  // namespace superstep
