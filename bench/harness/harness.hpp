@@ -54,7 +54,7 @@ void compare_with_baseline(BenchCase& one);
 [[nodiscard]] std::vector<std::size_t> round_order(std::size_t n, std::size_t round);
 
 /// Median, smallest and largest; the median of an even number is the mean of the middle two. Not empty.
-[[nodiscard]] Timing summarize(std::vector<double> seconds);
+[[nodiscard]] Timing summarize(const std::vector<double>& seconds);
 
 /// Measures one case. Numerical failures are rows, not exceptions.
 ///   cpu_setup [s]  CPU time that reading and building the scene took

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bench/harness/harness.hpp"
+#include "core/median.hpp"
 #include "core/text/options.hpp"
 #include "integrators/registry.hpp"
 
@@ -71,11 +72,9 @@ std::vector<std::size_t> round_order(std::size_t n, std::size_t round) {
   return order;
 }
 
-Timing summarize(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  const std::size_t n = seconds.size();
-  return {
-      .median = 0.5 * (seconds[(n - 1) / 2] + seconds[n / 2]), .min = seconds.front(), .max = seconds.back()};
+Timing summarize(const std::vector<double>& seconds) {
+  const auto [least, most] = std::minmax_element(seconds.begin(), seconds.end());
+  return {.median = median_of(seconds), .min = *least, .max = *most};
 }
 
 }  // namespace superstep

@@ -83,6 +83,7 @@ class Reduction {
   }
 
   [[nodiscard]] double sum_of_chunks() const {
+    if (!among_ && chunk_sum_.size() == 1) return chunk_sum_.front() + 0.0;  // -0 is 0 in an exact sum
     ExactSum all;
     for (const double part : chunk_sum_) all.add(part);
     return sum(all);

@@ -4,20 +4,15 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <utility>
+
+#include "core/median.hpp"
 
 namespace superstep {
 namespace {
 
 constexpr int resamples = 4000;
 constexpr double tail = 0.005;
-
-double median(std::vector<double>& values) {
-  const auto n = static_cast<std::ptrdiff_t>(values.size());
-  std::nth_element(values.begin(), values.begin() + n / 2, values.end());
-  const double upper = values[static_cast<std::size_t>(n / 2)];
-  if (n % 2 == 1) return upper;
-  return 0.5 * (upper + *std::max_element(values.begin(), values.begin() + n / 2));
-}
 
 class Draws {
  public:
@@ -41,7 +36,7 @@ using Statistic = double (*)(const PairedTimings& timings, const Indices& rounds
 double median_of_quotients(const PairedTimings& timings, const Indices& rounds) {
   std::vector<double> logarithms;
   for (const std::size_t k : rounds) logarithms.push_back(std::log(timings.work[k] / timings.yardstick[k]));
-  return median(logarithms);
+  return median_of(std::move(logarithms));
 }
 
 /// Slow phases shorter than a round hit few of the faster runs.

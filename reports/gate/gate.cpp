@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
+
 namespace superstep {
 namespace {
 
 std::string text_of(const RatioInterval& ratio) {
   return fmt::format("x {:.3f} ({:.3f} to {:.3f})", ratio.estimate, ratio.low, ratio.high);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
 }
 
 class Judge {
@@ -142,9 +138,9 @@ class Judge {
     if (rounds < limits_.rounds)
       return add(what, fmt::format("{} rounds", a.rounds()), fmt::format("{} rounds", b.rounds()),
                  GateVerdict::not_judged);
-    double shortest = median(a.work);
+    double shortest = median_of(a.work);
     for (const auto* times : {&a.yardstick, &b.work, &b.yardstick})
-      shortest = std::min(shortest, median(*times));
+      shortest = std::min(shortest, median_of(*times));
     if (shortest < limits_.shortest)
       return add(what, "", fmt::format("{:.2g} s is too short to judge", shortest), GateVerdict::not_judged);
     for (const auto* timings : {&a, &b})

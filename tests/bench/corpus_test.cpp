@@ -8,7 +8,7 @@
 
 #include "bench/app/cli/run_program.hpp"
 #include "results/corpus/corpus_csv.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -16,7 +16,7 @@
 #include "bench/measure/run_one.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

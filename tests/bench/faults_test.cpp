@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "small_press.hpp"
-#include "temporary_case.hpp"
+#include "support/small_press.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

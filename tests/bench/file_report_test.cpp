@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case/scene.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -8,7 +8,7 @@
 #include "bench/app/loaded_case.hpp"
 #include "core/error.hpp"
 #include "integrators/method_spec.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -12,8 +12,8 @@
 #include "bench/harness/harness.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
-#include "small_press.hpp"
-#include "temporary_case.hpp"
+#include "support/small_press.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bench/harness/harness.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

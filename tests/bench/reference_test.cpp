@@ -8,7 +8,7 @@
 #include "bench/app/loaded_case.hpp"
 #include "bench/harness/reference_cache.hpp"
 #include "integrators/registry.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -8,7 +8,7 @@
 #include "bench/output/run_files.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "bench/harness/harness.hpp"
 #include "bench/harness/verification.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -10,8 +10,8 @@
 #include "bench/press/thermal_lanes.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
-#include "small_press.hpp"
-#include "temporary_case.hpp"
+#include "support/small_press.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

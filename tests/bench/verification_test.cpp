@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

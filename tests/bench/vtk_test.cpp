@@ -11,8 +11,8 @@
 #include "bench/output/vtk_poly_data.hpp"
 #include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
-#include "small_press.hpp"
-#include "temporary_case.hpp"
+#include "support/small_press.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -8,9 +8,9 @@
 #include <map>
 
 #include "bench/app/cli/command_entry.hpp"
-#include "bench/temporary_case.hpp"
 #include "integrators/registry.hpp"
 #include "program.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/measure/run_limits.hpp"
-#include "bench/small_press.hpp"
-#include "bench/temporary_case.hpp"
 #include "program.hpp"
+#include "support/small_press.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

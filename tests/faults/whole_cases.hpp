@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "bench/temporary_case.hpp"
 #include "case/keys/case_keys.hpp"
+#include "support/temporary_case.hpp"
 #include "toml_text.hpp"
 
 namespace superstep::test {

@@ -17,12 +17,12 @@
 #include "bench/lab/methods.hpp"
 #include "bench/lab/rounding.hpp"
 #include "bench/lab/verdicts.hpp"
-#include "bench/temporary_case.hpp"
 #include "core/error.hpp"
 #include "integrators/schemes/super_step.hpp"
 #include "reports/text/stability_report.hpp"
 #include "results/study/stability_tables.hpp"
 #include "support/problem.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

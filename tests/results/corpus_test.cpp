@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "results/corpus/corpus_csv.hpp"
 #include "results/corpus/corpus_summary.hpp"
 #include "results/corpus/corpus_tables.hpp"

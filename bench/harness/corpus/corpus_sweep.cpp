@@ -13,6 +13,7 @@
 #include "bench/measure/probe_set.hpp"
 #include "bench/measure/run_one.hpp"
 #include "core/hash.hpp"
+#include "core/median.hpp"
 #include "core/stopwatch.hpp"
 #include "integrators/registry.hpp"
 #include "results/study/work_precision.hpp"

@@ -192,7 +192,7 @@ double Driver::first_step(double largest) {
   ErrorNorm norm;
   norm.prepare(*rhs_, task_.allowed);
   auto slope = stepper_->slope();
-  if (slope.empty()) {
+  if (slope.size() != state_.size()) {  // the method keeps none; a process may have no rows
     (*rhs_)(t_, state_, slope_);
     slope = slope_;
   }

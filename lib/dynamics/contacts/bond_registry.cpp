@@ -57,7 +57,7 @@ void act(const BondSurroundings& around, BondArrays& bonds, ContactTable& table,
 
 template <class Law>
 constexpr BondKind kind(BondRule rule) {
-  return {rule, Law::name, Law::smooth, Law::grows, &Law::margin, &act<Law>};
+  return {rule, Law::name, Law::grows, &Law::margin, &act<Law>};
 }
 
 constexpr std::array kinds = {

@@ -90,19 +90,17 @@ void ContactPoints::act(const BondSurroundings& around) {
              [&](std::size_t first, std::size_t last) { kind_.act(around, arrays_, table_, first, last); });
 }
 
-void ContactPoints::update_bonds(std::span<const std::pair<std::int32_t, std::int32_t>> forced) {
+void ContactPoints::update_bonds() {
   if (!law_.acts()) return;
   std::vector<Bond> kept;
-  std::size_t b = 0, f = 0;
+  std::size_t b = 0;
   for (std::size_t k = 0; k < table_.size(); ++k) {
     const bool bonded = b < bonds_.size() && arrays_.pair[b] == k;
     const BondMemory memory = bonded ? arrays_.now[b] : BondMemory{std::max(-table_.strain[k], 0.0), 0};
     b += bonded ? 1 : 0;
     const double margin = kind_.margin(law_, table_.strain[k], memory, bonded);
-    const std::pair here{table_.i[k], table_.j[k]};
-    while (f < forced.size() && forced[f] < here) ++f;
-    const bool switches = (bonded ? margin < 0 : margin <= 0) || (f < forced.size() && forced[f] == here);
-    if (bonded != switches) kept.push_back({here.first, here.second, memory.overlap, memory.growth});
+    const bool switches = bonded ? margin < 0 : margin <= 0;
+    if (bonded != switches) kept.push_back({table_.i[k], table_.j[k], memory.overlap, memory.growth});
     if (!switches || !bonded) continue;
     table_.keep[k] = 1;  // torn apart: nothing holds or flows any more
     table_.pull[k] = table_.damping[k] = 0;

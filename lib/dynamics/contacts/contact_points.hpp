@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "dynamics/contacts/bond_registry.hpp"
@@ -26,10 +25,9 @@ struct ContactPoint {
 
 /// Follows the particles: bonds and the lists of candidate pairs live on from one instant to the next.
 ///
-///   list    every pair nearer than the skin                  found anew when somebody has moved by half of
-///   it table   those of it nearer than an eighth of the skin,   picked anew when somebody has moved by half
-///   of that
-///           and all bonded pairs
+///   list   every pair nearer than the skin; found anew when somebody has moved by half of it
+///   table  those of it nearer than an eighth of the skin, and all bonded pairs; picked anew when somebody
+///          has moved by half of that
 class ContactPoints {
  public:
   /// Keeps a reference to the particles.
@@ -42,10 +40,7 @@ class ContactPoints {
   void act(const BondSurroundings& around);
   /// What bonds have become at the instant last placed stays: they form and break, once a step, never inside
   /// its iterations, so that a pair at the threshold cannot keep an iteration from converging.
-  ///   forced  pairs (i, j), sorted, whose bond switches now because the step ends where it does, give or
-  ///   take
-  ///           rounding
-  void update_bonds(std::span<const std::pair<std::int32_t, std::int32_t>> forced = {});
+  void update_bonds();
   /// Growth rates of this instant are those that the next step begins with.
   void begin_step();
   void set_bonds(std::span<const Bond> bonds);

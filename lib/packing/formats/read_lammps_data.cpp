@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/text/delimited.hpp"
 #include "core/text/number.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/atom_styles.hpp"
@@ -30,8 +31,7 @@ bool recognises(const PackingFile& file) {
 
 /// Headings are words. "nan" and "inf" are what a writer makes of a broken number: they begin a row.
 bool is_heading(const TextRow& row) {
-  std::string first(row[0]);
-  for (auto& c : first) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string first = lower_case(row[0]);
   if (first == "nan" || first == "inf" || first == "infinity") return false;
   for (std::size_t k = 0; k < row.size(); ++k)
     if (!std::isalpha(static_cast<unsigned char>(row[k].front()))) return false;

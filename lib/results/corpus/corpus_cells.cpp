@@ -39,12 +39,6 @@ CorpusCell cell_of(const SceneRows& scene, double level) {
 
 }  // namespace
 
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
-
 std::vector<SceneRows> scenes_of(std::span<const CorpusRow> rows) {
   std::vector<SceneRows> out;
   std::map<std::string, std::size_t> position;

@@ -34,7 +34,4 @@ struct CorpusRow {
   [[nodiscard]] bool ok() const noexcept { return status == "ok"; }
 };
 
-/// Median; not empty.
-[[nodiscard]] double median_of(std::vector<double> values);
-
 }  // namespace superstep

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/median.hpp"
 #include "reports/chart/chart.hpp"
 #include "reports/html/sections/paper_parts.hpp"
 #include "results/text/html_text.hpp"
@@ -31,10 +32,7 @@ std::vector<Pair> pairs(const BenchCase& one, const PublishedCase& published, co
 }
 
 Number median(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+  return values.empty() ? std::nullopt : Number(median_of(std::move(values)));
 }
 
 /// What the printed decay rate says in 1/s.

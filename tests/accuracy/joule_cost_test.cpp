@@ -6,7 +6,7 @@
 
 #include "bench/harness/harness.hpp"
 #include "bench/measure/run_one.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/text/text_file.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep::test {
 

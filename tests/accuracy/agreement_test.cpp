@@ -20,7 +20,7 @@ std::vector<std::string> case_files() {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(SUPERSTEP_SOURCE_DIR) + "/cases"))
     // Moving particles have answers of their own: tests/dynamics.
-    // The scene of nial_thermal.toml under other methods: tests/bench/paper_case_test.cpp.
+    // The scene of nial_thermal.toml under other methods: tests/accuracy/paper_case_test.cpp.
     if (entry.path().extension() == ".toml" && entry.path().stem() != "nial_thermal_paper" &&
         !TomlTable::parse_file(entry.path().string()).find("dynamics"))
       files.push_back(entry.path().string());

@@ -6,7 +6,7 @@
 
 #include "bench/measure/run_one.hpp"
 #include "bench/output/run_files.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "bench/measure/run_one.hpp"
 #include "bench/output/run_files.hpp"
-#include "temporary_case.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {
@@ -63,7 +63,11 @@ TEST_P(AnyZero, GivesTheSameStepsAndTheSameDifferences) {
     ASSERT_TRUE(found.result.outcome.ok()) << found.result.outcome.reason;
     EXPECT_EQ(found.result.statistics.steps, expected.result.statistics.steps) << zero;
     EXPECT_EQ(found.result.statistics.rejected, expected.result.statistics.rejected) << zero;
-    EXPECT_EQ(found.result.sweeps, expected.result.sweeps) << zero;
+    // At rest f is 0 on one scale and a rounding on another, which may cost the pilot run a stage.
+    constexpr double a_stage = 1;
+    EXPECT_NEAR(static_cast<double>(found.result.sweeps), static_cast<double>(expected.result.sweeps),
+                a_stage)
+        << zero;
     double worst = 0;
     for (std::size_t k = 0; k < found.values.size(); ++k)
       worst = std::max(worst, std::abs(found.values[k] - zero - expected.values[k]));
