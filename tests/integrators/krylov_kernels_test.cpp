@@ -1,8 +1,9 @@
-#include "integrators/detail/krylov/lanczos_kernels.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "integrators/detail/krylov/arnoldi_kernels.hpp"
+#include "integrators/detail/krylov/lanczos_kernels.hpp"
 
 namespace superstep {
 namespace {
@@ -82,6 +83,27 @@ TYPED_TEST(LanczosKernels, WideOnesAgreeBitByBit) {
   EXPECT_EQ(projected[0], projected[1]);
   EXPECT_EQ(square[0], square[1]);
   EXPECT_EQ(next[0], next[1]);
+}
+
+TEST(ArnoldiKernels, AddAndProject) {
+  const auto v = numbers(100, 1), w = numbers(100, 2), d = numbers(100, 3), other = numbers(100, 4);
+  for (const auto& kernel : arnoldi_kernels())
+    for (const bool with_itself : {false, true})
+      for (const bool diagonal : {false, true}) {
+        auto sum = w;
+        const double* with = with_itself ? sum.data() : other.data();
+        const double projected = diagonal
+                                     ? kernel.add_diagonal(sum.data(), d.data(), v.data(), with, first, last)
+                                     : kernel.subtract(sum.data(), 0.4, v.data(), with, first, last);
+        double expected = 0;
+        for (std::size_t i = 0; i < 100; ++i) {
+          const bool inside = i >= first && i < last;
+          const double value = inside ? w[i] + (diagonal ? d[i] : -0.4) * v[i] : w[i];
+          EXPECT_NEAR(sum[i], value, 1e-15) << kernel.name;
+          if (inside) expected += value * (with_itself ? value : other[i]);
+        }
+        EXPECT_NEAR(projected, expected, 1e-13) << kernel.name;  // roundings of a sum of size 40
+      }
 }
 
 }  // namespace
