@@ -33,6 +33,7 @@ class ExponentialRosenbrock final : public OneStepMethod {
     rhs_ = &rhs;
     norm_.prepare(rhs, task.allowed);
     rounding_ = task.rounding;
+    run_length_ = task.t_end - task.t_begin;
     jacobian_.prepare(rhs, task);
     const std::size_t n = std::max<std::size_t>(1, rhs.size());
     const std::size_t most = std::clamp(basis_bytes / (sizeof(double) * n), fewest_vectors, most_vectors);
@@ -50,6 +51,10 @@ class ExponentialRosenbrock final : public OneStepMethod {
   /// Fitted to random scenes of every class: what is delivered is then as many times rtol at 1e-3 as at 1e-7.
   [[nodiscard]] double share() const override { return 0.3 * std::pow(rtol_ / 1e-5, 0.1); }
   [[nodiscard]] std::span<const double> slope() const override { return slope_; }
+  /// Knots make many short steps, and what their spaces are wrong by adds up.
+  [[nodiscard]] double part_of_run(double h) const {
+    return rhs_->traits().autonomous ? 1.0 : std::clamp(10 * h / run_length_, 0.03, 1.0);
+  }
   void restart(double t, std::span<const double> y, bool /*smooth*/) override { begin_at(t, y); }
   void accept(const Step& step, std::span<const double> state) override { begin_at(step.ends.back(), state); }
 
@@ -76,7 +81,7 @@ class ExponentialRosenbrock final : public OneStepMethod {
   double rtol_, fixed_step_;
   Rhs* rhs_ = nullptr;
   ErrorNorm norm_;
-  double rounding_ = 0;
+  double rounding_ = 0, run_length_ = 0;  ///< part of the tolerance; s
   ScaledJacobian jacobian_;
   KrylovSpace of_slope_, of_drift_, of_first_, of_second_;
   bool linearised_ = false;
@@ -130,7 +135,7 @@ Trial ExponentialRosenbrock::attempt(const Step& step, StateVector& state, State
   // What is left of a residual decays within the step: a space errs by a few hundredths of its bound.
   constexpr double of_change = 1e-12;
   const double precision =
-      fixed_step_ > 0 ? of_change * h * of_slope_.length() : std::max(share(), rounding_);
+      fixed_step_ > 0 ? of_change * h * of_slope_.length() : std::max(share() * part_of_run(h), rounding_);
 
   // next = u + h phi_1(hJ) f + h^2 phi_2(hJ) v, and the same at the middle in stage_.
   if (!of_slope_.reach(h, 1, precision)) return too_many(of_slope_, h, 1, precision);

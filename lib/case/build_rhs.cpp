@@ -92,6 +92,22 @@ FieldInput field_input(const FieldScene& field, Network network) {
   return input;
 }
 
+/// Fixed values that follow a table and touch fixed nodes only: nothing of their own field feels them, but a
+/// current through them heats, and conductivities follow them.
+bool has_tables_apart(const FieldInput& field) {
+  std::vector<std::int32_t> touching = field.network.ghost_node;
+  std::sort(touching.begin(), touching.end());
+  return std::any_of(field.known.begin(), field.known.end(), [&](const KnownValue& known) {
+    return known.table >= 0 && !std::binary_search(touching.begin(), touching.end(), known.node);
+  });
+}
+
+void mark_tables_apart(NonlinearInput& input) {
+  if (!input.potential) return;
+  for (auto* field : {&input.temperature, &*input.potential})
+    field->network.tabled_apart = has_tables_apart(*field);
+}
+
 FieldInput take_field(FieldScene& field) {
   Network network = build_network(field.graph, field.roles, field.origin);
   field.row_of_node = network.row_of_node;
@@ -165,6 +181,7 @@ void build_pair(const std::string& where, const Coupling& coupling, FieldScene& 
   NonlinearInput input;
   input.temperature = take_field(thermal);
   input.potential = take_field(electric);
+  mark_tables_apart(input);
   input.steady_potential = electric.steady;
   input.resolve_change = coupling.resolve_change;
   scene.settle_tolerance = electric.steady ? 0 : coupling.settle_tolerance;
@@ -248,6 +265,7 @@ NonlinearInput nonlinear_input(const Scene& scene) {
       input.temperature = std::move(one);
     }
   }
+  mark_tables_apart(input);
   return input;
 }
 

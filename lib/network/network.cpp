@@ -193,7 +193,7 @@ bool Network::radiates() const {
 
 bool Network::inputs_are_constant() const {
   const auto is_constant = [](std::int32_t table) { return table < 0; };
-  const bool here = tabled_sources.empty() &&
+  const bool here = !tabled_apart && tabled_sources.empty() &&
                     std::all_of(ghost_table.begin(), ghost_table.end(), is_constant) &&
                     std::all_of(radiation.begin(), radiation.end(),
                                 [&](const auto& exchange) { return is_constant(exchange.table); });

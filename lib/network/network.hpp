@@ -48,7 +48,10 @@ struct Network {
   std::vector<std::int32_t> ghost_table;     ///< [g] index into tables, -1 = constant
   std::vector<TabledSource> tabled_sources;  ///< `node` is a row here
   std::vector<AmbientExchange> radiation;    ///< `node` is a row here, ascending
-  std::shared_ptr<Halo> halo;                ///< null: all rows are here
+  /// A fixed value that follows a table touches fixed nodes only. It moves no row of this network, but what
+  /// other fields take from it: the heat of a current, conductivities.
+  bool tabled_apart = false;
+  std::shared_ptr<Halo> halo;  ///< null: all rows are here
 
   [[nodiscard]] std::size_t size() const noexcept { return capacity.size(); }
   [[nodiscard]] std::size_t nonzeros() const noexcept { return column.size(); }
@@ -59,7 +62,8 @@ struct Network {
   [[nodiscard]] std::size_t first_row() const noexcept;
   /// True when rows radiate, here or elsewhere.
   [[nodiscard]] bool radiates() const;
-  /// False when a fixed value, a source or an ambient follows a table of time, here or elsewhere.
+  /// False when a fixed value, a source or an ambient follows a table of time, here or elsewhere; also where
+  /// such a value stands apart.
   [[nodiscard]] bool inputs_are_constant() const;
   /// Row sums of conductances [n]: all edges, and the part that leads to fixed nodes.
   [[nodiscard]] std::vector<double> total_conductance() const;

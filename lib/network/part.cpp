@@ -93,6 +93,7 @@ void for_lists(Part& part, const One& one) {
 void pack(const NetworkPart& part, Packer& out) {
   for_lists(part, [&](const auto& list) { out.put(list); });
   out.put(part.network.origin);
+  out.put(part.network.tabled_apart);
   out.put(part.network.tables.size());
   for (const auto& table : part.network.tables) {
     out.put(table.time);
@@ -103,6 +104,7 @@ void pack(const NetworkPart& part, Packer& out) {
 void unpack(Unpacker& in, NetworkPart& part) {
   for_lists(part, [&](auto& list) { in.take(list); });
   in.take(part.network.origin);
+  in.take(part.network.tabled_apart);
   part.network.tables.resize(in.take<std::size_t>());
   for (auto& table : part.network.tables) {
     in.take(table.time);
@@ -116,6 +118,7 @@ NetworkPart part_of(const Network& whole, const Partition& partition) {
   take_rows(whole, partition, part);
   take_ghosts(whole, partition, part.network);
   part.network.origin = whole.origin;
+  part.network.tabled_apart = whole.tabled_apart;
   part.network.tables = whole.tables;
   part.network.tabled_sources = of_own_rows(whole.tabled_sources, partition);
   part.network.radiation = of_own_rows(whole.radiation, partition);

@@ -230,6 +230,23 @@ TEST(AutoAudit, KeepsItsWordWhenAPotentialHasSettled) {
       }
 }
 
+/// Electrodes that touch each other and change in time: the potential of no free node feels them, but the
+/// current between them heats. Every method once slept through their pulses, and all of them agreed.
+TEST(PulsesBetweenElectrodes, HeatUnderEveryMethod) {
+  TimeLimit limit(5);
+  for (const std::uint64_t seed : {231, 286, 320, 335}) {
+    const auto stated = state_scene(seed, {.kind = "one-way"});
+    const Truth truth = find_truth(stated);
+    const Scene scene = build_scene(stated);
+    for (const auto& method : adaptive_contenders()) {
+      const Row row = judge(stated, scene, truth, method, 1e-3, {}, limit);
+      if (row.status == "refused") continue;
+      EXPECT_EQ(row.status, "ok") << seed << " " << method.label << ": " << row.reason;
+      EXPECT_LT(row.delivered, 3) << seed << " " << method.label;
+    }
+  }
+}
+
 TEST(AuditSpans, TheLibraryFindsWhatTheOracleSees) {
   std::size_t fields = 0, off = 0;
   std::string misses;

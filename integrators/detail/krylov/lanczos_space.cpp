@@ -135,13 +135,14 @@ LanczosSpace::Growth LanczosSpace::grow(double elapsed, double allowed, double l
 
 std::optional<LanczosSpace::Continued> LanczosSpace::continued() const {
   constexpr double regular = 4;
+  constexpr std::size_t fewest = 16;  // from which anything can be told
   const std::size_t m = dimension(), half = m / 2;
   const std::span<const double> diagonal = alpha(), off = beta();
   const auto within = [&](std::span<const double> part) {
     const auto [low, high] = std::minmax_element(part.begin(), part.end());
     return *high <= regular * *low;
   };
-  if (half == 0 || !within(diagonal.subspan(half)) || !within(off.subspan(half))) return std::nullopt;
+  if (half < fewest || !within(diagonal.subspan(half)) || !within(off.subspan(half))) return std::nullopt;
   Continued more{{diagonal.begin(), diagonal.end()}, {off.begin(), off.end()}};
   for (std::size_t j = m; j-- > half;) {
     more.alpha.push_back(diagonal[j]);
