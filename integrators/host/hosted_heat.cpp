@@ -215,8 +215,11 @@ Outcome HostedHeat::advance_temperatures(double dt) {
   gather();
   Outcome outcome = stretches_.advance(dt, row_value_, stated_span_ > 0 ? stated_span_ : seen_.span());
   if (!outcome.ok()) return outcome;
-  for (std::size_t row = 0; row < row_value_.size(); ++row)
-    temperature_[at(network_.node_of_row[row])] = row_value_[row] + network_.origin;
+  for (std::size_t row = 0; row < row_value_.size(); ++row) {
+    double& temperature = temperature_[at(network_.node_of_row[row])];
+    if (row_value_[row] != temperature - network_.origin)  // else not even a rounding
+      temperature = row_value_[row] + network_.origin;
+  }
   return outcome;
 }
 
