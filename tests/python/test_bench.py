@@ -45,7 +45,9 @@ class Benchmarks(unittest.TestCase):
     def test_several_scenes_are_one_table(self):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            columns = bench([network(name="one"), cases / "lattice_two_way.toml"], ["rkc:rtol=1e-3"], repetitions=1, cache=False)
+            columns = bench(
+                [network(name="one"), cases / "lattice_two_way.toml"], ["rkc:rtol=1e-3"], repetitions=1, cache=False
+            )
         self.assertEqual(len(set(columns["case"])), 2)
         self.assertEqual({len(column) for column in columns.values()}, {len(columns["case"])})
         potential = [name for name in columns if name.endswith("_potential")]

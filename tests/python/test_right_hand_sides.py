@@ -47,15 +47,30 @@ class RightHandSides(unittest.TestCase):
         two_way = Scene.from_dict(
             {
                 "t_end": 1.0,
-                "packing": {"generator": "grid", "count": 27, "spacing": 1.9e-3, "sizes": {"distribution": "uniform", "min": 2e-3, "max": 2e-3}},
+                "packing": {
+                    "generator": "grid",
+                    "count": 27,
+                    "spacing": 1.9e-3,
+                    "sizes": {"distribution": "uniform", "min": 2e-3, "max": 2e-3},
+                },
                 "material": {"density": 7800.0},
                 "contact": {"neck": "hertz"},
                 "electric": {
-                    "conductivity": {"law": "sigmoid", "value": 1e4, "amplitude": 1.5, "steepness": 0.05, "reference": 330.0},
+                    "conductivity": {
+                        "law": "sigmoid",
+                        "value": 1e4,
+                        "amplitude": 1.5,
+                        "steepness": 0.05,
+                        "reference": 330.0,
+                    },
                     "specific_capacity": 2e4,
                     "fixed": [{"where": "top", "value": 4.0}, {"where": "bottom", "value": 0.0}],
                 },
-                "thermal": {"conductivity": {"law": "linear", "value": 50.0, "coefficient": -1e-3, "reference": 300.0}, "specific_heat": 460.0, "initial": 300.0},
+                "thermal": {
+                    "conductivity": {"law": "linear", "value": 50.0, "coefficient": -1e-3, "reference": 300.0},
+                    "specific_heat": 460.0,
+                    "initial": 300.0,
+                },
             }
         )
         random = np.random.default_rng(2)
@@ -64,7 +79,10 @@ class RightHandSides(unittest.TestCase):
             found, expected = dense(scene, 0.0, y), differences(scene, 0.0, y)
             # Central differences of smooth laws: some 1e-8 of the largest entry, and roundings of f over h.
             np.testing.assert_allclose(found, expected, atol=1e-6 * np.abs(expected).max())
-            self.assertEqual([f.name for f in scene.fields], ["temperature"] if scene is not two_way else ["potential", "temperature"])
+            self.assertEqual(
+                [f.name for f in scene.fields],
+                ["temperature"] if scene is not two_way else ["potential", "temperature"],
+            )
 
     def test_rows_ascend_and_the_diagonal_is_there(self):
         scene = network()

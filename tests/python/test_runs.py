@@ -79,7 +79,9 @@ class Answers(unittest.TestCase):
         self.assertNotEqual(integrate(network()).choice, "")
 
     def test_threads_change_nothing(self):
-        scene = Scene.from_dict({"t_end": 0.5, "network": {"generator": "lattice", "size": 20000, "inlet": 1.0, "outlet": 0.0}})
+        scene = Scene.from_dict(
+            {"t_end": 0.5, "network": {"generator": "lattice", "size": 20000, "inlet": 1.0, "outlet": 0.0}}
+        )
         one, two = (integrate(scene, "rkc:rtol=1e-3", threads=threads).states for threads in (1, 2))
         np.testing.assert_array_equal(one, two)
 
@@ -87,7 +89,9 @@ class Answers(unittest.TestCase):
 class Memory(unittest.TestCase):
     def test_states_are_the_memory_that_the_run_wrote_to(self):
         seen = []
-        result = integrate(network(output_times=[0.5, 1.0]), on_output=lambda t, y: seen.append((t, address(y), y.shape)))
+        result = integrate(
+            network(output_times=[0.5, 1.0]), on_output=lambda t, y: seen.append((t, address(y), y.shape))
+        )
         self.assertEqual([t for t, _, _ in seen], result.times.tolist())
         self.assertEqual([where for _, where, _ in seen], [address(row) for row in result.states])
         self.assertFalse(result.states.flags.owndata)

@@ -15,7 +15,10 @@ class WaysToAScene(unittest.TestCase):
     def test_a_case_file_and_a_dict_of_it_are_the_same_scene(self):
         of_file = Scene.from_file(cases / "lattice.toml")
         packing = {"file": "packings/lattice.csv", "length_unit": "mm"}
-        ends = [{"where": {"layer": {"side": side, "thickness": 0.9}}, "value": value} for side, value in (("top", 400.0), ("bottom", 300))]
+        ends = [
+            {"where": {"layer": {"side": side, "thickness": 0.9}}, "value": value}
+            for side, value in (("top", 400.0), ("bottom", 300))
+        ]
         of_dict = Scene.from_dict(
             {
                 "t_end": 20,
@@ -35,7 +38,9 @@ class WaysToAScene(unittest.TestCase):
     def test_spheres_in_memory_are_those_of_a_file(self):
         centres, radii = row_of_spheres()
         with tempfile.TemporaryDirectory() as folder:
-            rows = [f"{k},{x!r},{y!r},{z!r},{r!r}" for k, ((x, y, z), r) in enumerate(zip(centres.tolist(), radii.tolist()))]
+            rows = [
+                f"{k},{x!r},{y!r},{z!r},{r!r}" for k, ((x, y, z), r) in enumerate(zip(centres.tolist(), radii.tolist()))
+            ]
             with open(os.path.join(folder, "row.csv"), "w", encoding="utf-8") as file:
                 file.write("id,x,y,z,radius\n" + "\n".join(rows) + "\n")
             tables = {
@@ -59,7 +64,10 @@ class WaysToAScene(unittest.TestCase):
 
     def test_materials_may_be_named_one_by_one(self):
         centres, radii = row_of_spheres(4)
-        materials = [{"name": name, "density": 1000.0, "thermal": {"conductivity": k, "specific_heat": 1.0}} for name, k in (("good", 10.0), ("bad", 1.0))]
+        materials = [
+            {"name": name, "density": 1000.0, "thermal": {"conductivity": k, "specific_heat": 1.0}}
+            for name, k in (("good", 10.0), ("bad", 1.0))
+        ]
         case = {
             "t_end": 1.0,
             "packing": {"centres": centres, "radii": radii, "materials": ["good", "good", "bad", "bad"]},
@@ -76,7 +84,10 @@ class WaysToAScene(unittest.TestCase):
         row, column = np.nonzero(dense)
         indptr = np.concatenate(([0], np.cumsum(np.bincount(row, minlength=30))))
         forms = {"sorted rows": (dense[row, column], column, indptr)}
-        backwards = [np.concatenate([part[a:b][::-1] for a, b in zip(indptr, indptr[1:])]) for part in (dense[row, column], column)]
+        backwards = [
+            np.concatenate([part[a:b][::-1] for a, b in zip(indptr, indptr[1:])])
+            for part in (dense[row, column], column)
+        ]
         forms["unsorted rows"] = (*backwards, indptr)
         forms["conductances"] = np.where(np.eye(30), 0, -dense)
         try:
@@ -94,7 +105,9 @@ class WaysToAScene(unittest.TestCase):
     def test_edges_are_the_network_of_their_laplacian(self):
         dense = laplacian(30)
         row, column = np.nonzero(np.triu(dense, 1))
-        scene = Scene.from_edges(np.stack((row, column), axis=1), -dense[row, column], t_end=1.0, capacity=np.full(30, 2.0))
+        scene = Scene.from_edges(
+            np.stack((row, column), axis=1), -dense[row, column], t_end=1.0, capacity=np.full(30, 2.0)
+        )
         y = np.random.default_rng(0).normal(size=30)
         np.testing.assert_allclose(scene.rhs(0, y), -dense @ y / 2, atol=1e-13)  # sums of some ten terms near 1
 
@@ -143,7 +156,9 @@ class WhatIsRefused(unittest.TestCase):
     def test_wrong_shapes(self):
         centres, radii = row_of_spheres()
         tables = {"conductivity": 1.0, "density": 1.0, "specific_heat": 1.0, "t_end": 1.0}
-        self.refused(r"centres has the shape \(12, 2\); it must be \(n, 3\)", Scene.from_spheres, centres[:, :2], radii, **tables)
+        self.refused(
+            r"centres has the shape \(12, 2\); it must be \(n, 3\)", Scene.from_spheres, centres[:, :2], radii, **tables
+        )
         self.refused("centres has 33 values, and must have 36", Scene.from_spheres, centres[1:], radii, **tables)
         self.refused(r"radii has the shape \(12, 1\)", Scene.from_spheres, centres, radii[:, None], **tables)
         self.refused("at least one particle", Scene.from_spheres, np.zeros((0, 3)), np.zeros(0), **tables)
@@ -169,14 +184,18 @@ class WhatIsRefused(unittest.TestCase):
     def test_matrices_of_no_network(self):
         dense = laplacian(5)
         dense[1, 2] *= 2
-        self.refused(r"entry \(1, 2\) is .*the entry across the diagonal is another", Scene.from_matrix, dense, t_end=1.0)
+        self.refused(
+            r"entry \(1, 2\) is .*the entry across the diagonal is another", Scene.from_matrix, dense, t_end=1.0
+        )
         self.refused(r"entry \(0, 1\) of the matrix is nan", Scene.from_matrix, np.where(np.eye(2), 1, NaN), t_end=1.0)
         self.refused("row 0 of the Laplacian sums to", Scene.from_matrix, [[1.0, -2.0], [-2.0, 3.0]], t_end=1.0)
         good = ([2.0, -2.0, -2.0, 2.0], [0, 1, 0, 1], [0, 2, 4])
         Scene.from_matrix(good, t_end=1.0)
         self.refused("indptr goes from 0 to 5", Scene.from_matrix, (*good[:2], [0, 2, 5]), t_end=1.0)
         self.refused("indptr falls from 3 to 2 in row 1", Scene.from_matrix, (*good[:2], [0, 3, 2, 4]), t_end=1.0)
-        self.refused("column 2; there are columns 0 to 1", Scene.from_matrix, (good[0], [0, 1, 0, 2], good[2]), t_end=1.0)
+        self.refused(
+            "column 2; there are columns 0 to 1", Scene.from_matrix, (good[0], [0, 1, 0, 2], good[2]), t_end=1.0
+        )
         self.refused("data has 3 values, and must have 4", Scene.from_matrix, (good[0][1:], *good[1:]), t_end=1.0)
         self.refused("indptr is empty", Scene.from_matrix, ([], [], []), t_end=1.0)
         self.refused("no nodes", Scene.from_matrix, ([], [], [0]), t_end=1.0)
@@ -185,15 +204,26 @@ class WhatIsRefused(unittest.TestCase):
         good = {"t_end": 1.0, "network": {"edges": [[0, 1]], "conductance": [1.0]}}
         Scene.from_dict(good)
         self.refused("case: unknown key 't_ent'", Scene.from_dict, {**good, "t_ent": 1})
-        self.refused("mine: unknown key 'capacty' in .network.; did you mean 'capacity'", Scene.from_dict, {**good, "network": {**good["network"], "capacty": 1.0}}, name="mine")
+        self.refused(
+            "mine: unknown key 'capacty' in .network.; did you mean 'capacity'",
+            Scene.from_dict,
+            {**good, "network": {**good["network"], "capacty": 1.0}},
+            name="mine",
+        )
         self.refused("key 't_end' is 'soon'; it must be a number", Scene.from_dict, {**good, "t_end": "soon"})
         self.refused("key 't_end' is None; leave it out", Scene.from_dict, {**good, "t_end": None})
         self.refused("key 'title' is of type set", Scene.from_dict, {**good, "title": {1}})
         self.refused("keys must be strings", Scene.from_dict, {**good, 7: 1})
         self.refused("64 bits", Scene.from_dict, {**good, "t_end": 2**70})
         self.refused("edges and no conductance", Scene.from_dict, {"t_end": 1.0, "network": {"edges": [[0, 1]]}})
-        self.refused("capacity is an array, and the network is in files", Scene.from_dict, {"t_end": 1.0, "network": {"matrix": "K.mtx", "capacity": [1.0]}})
-        self.refused("has no radii", Scene.from_dict, {"t_end": 1.0, "packing": {"centres": np.zeros((1, 3))}, "thermal": {}})
+        self.refused(
+            "capacity is an array, and the network is in files",
+            Scene.from_dict,
+            {"t_end": 1.0, "network": {"matrix": "K.mtx", "capacity": [1.0]}},
+        )
+        self.refused(
+            "has no radii", Scene.from_dict, {"t_end": 1.0, "packing": {"centres": np.zeros((1, 3))}, "thermal": {}}
+        )
 
     def test_files(self):
         self.refused("nobody.toml", Scene.from_file, "nobody.toml")

@@ -57,9 +57,13 @@ def main() -> None:
     print(f"effective conductivity {conductivity:.4g} W/(m K), {conductivity / 50.0:.3f} of that of the solid")
     assert 0 < conductivity < 50.0
 
-    columns = superstep.bench(scene, ["auto", "exponential:rtol=1e-3", "rkc:rtol=1e-3", "cvode:rtol=1e-3"], repetitions=1)
+    columns = superstep.bench(
+        scene, ["auto", "exponential:rtol=1e-3", "rkc:rtol=1e-3", "cvode:rtol=1e-3"], repetitions=1
+    )
     print(f"{'method':28} {'status':12} {'CPU [s]':>9} {'rms error [K]':>14}")
-    for integrator, params, status, cpu, error in zip(*(columns[key] for key in ("integrator", "params", "status", "cpu_stepping_s", "error_rms"))):
+    for integrator, params, status, cpu, error in zip(
+        *(columns[key] for key in ("integrator", "params", "status", "cpu_stepping_s", "error_rms"))
+    ):
         print(f"{integrator + ':' * bool(params) + params:28} {status:12} {cpu:9.4f} {error:14.2e}")
     good = [k for k, status in enumerate(columns["status"]) if status == "ok"]
     fastest = min(good, key=lambda k: columns["cpu_stepping_s"][k])

@@ -53,7 +53,14 @@ def main() -> None:
         extra = {} if method == "LSODA" else {"jac": scene.jacobian}
         began = time.process_time()
         solution = solve_ivp(
-            scene.rhs, (0, times[-1]), scene.y0, method=method, t_eval=times, rtol=1e-9, atol=0.1 * TOLERANCE * span, **extra
+            scene.rhs,
+            (0, times[-1]),
+            scene.y0,
+            method=method,
+            t_eval=times,
+            rtol=1e-9,
+            atol=0.1 * TOLERANCE * span,
+            **extra,
         )
         error = report(f"SciPy's {method}", solution.y.T, time.process_time() - began)
         assert error < 10 * TOLERANCE, "both have solved the same equations"

@@ -26,7 +26,10 @@ def make_network(n: int, seed: int = 1):
     """n x n x n pores, of which a third of the throats is closed: coords (pores, 3) in m, conns (throats, 2)."""
     grid = np.arange(n**3).reshape(n, n, n)
     coords = SPACING * np.stack(np.meshgrid(*[np.arange(n)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-    pairs = [np.stack((np.moveaxis(grid, axis, 0)[:-1].ravel(), np.moveaxis(grid, axis, 0)[1:].ravel()), axis=1) for axis in range(3)]
+    pairs = [
+        np.stack((np.moveaxis(grid, axis, 0)[:-1].ravel(), np.moveaxis(grid, axis, 0)[1:].ravel()), axis=1)
+        for axis in range(3)
+    ]
     conns = np.concatenate(pairs)
     return coords, conns[np.random.default_rng(seed).random(len(conns)) > 0.33]
 
@@ -45,11 +48,18 @@ def main():
     fixed[height == height.max()] = 0.0
     hours = 3600.0
     scene = superstep.Scene.from_edges(
-        conns, conductance, capacity=volume, fixed=fixed, t_end=4 * hours, output_times=np.array([0.04, 0.2, 1, 4]) * hours
+        conns,
+        conductance,
+        capacity=volume,
+        fixed=fixed,
+        t_end=4 * hours,
+        output_times=np.array([0.04, 0.2, 1, 4]) * hours,
     )
     print(scene, *scene.warnings, sep="\n")
 
-    result = superstep.integrate(scene, "auto", rtol=1e-4, on_output=lambda t, y: print(f"{t / hours:6.2f} h: mean {y.mean():.4f} mol/m3"))
+    result = superstep.integrate(
+        scene, "auto", rtol=1e-4, on_output=lambda t, y: print(f"{t / hours:6.2f} h: mean {y.mean():.4f} mol/m3")
+    )
     print(f"{result.choice}; {result.statistics['sweeps']} sweeps, {result.statistics['cpu_stepping_s']:.3f} s of CPU")
 
     # What flows out at the end, and what SciPy's direct solver says of the steady state.
@@ -58,7 +68,10 @@ def main():
     steady = steady_state(conns, conductance, fixed)
     expected = flow_into(np.flatnonzero(fixed == 0.0), conns, conductance, steady)
     area, length = (SPACING * 16) ** 2, height.max()
-    print(f"effective diffusivity {out * length / area:.4g} m2/s, {out * length / area / DIFFUSIVITY:.4f} of that of the water")
+    print(
+        f"effective diffusivity {out * length / area:.4g} m2/s, "
+        f"{out * length / area / DIFFUSIVITY:.4f} of that of the water"
+    )
     print(f"outflow over that of the steady state - 1: {out / expected - 1:.1e}")
     assert abs(out / expected - 1) < 1e-2, "four hours are enough, and the tolerance is 1e-4 of the span"
 

@@ -35,9 +35,13 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         package = next(pathlib.Path(prefix).rglob("superstep/__init__.py"), None)
         if package is None:
             raise RuntimeError(f"{build} has no Python module: CMake says why when it configures")
-        files = {f"superstep/{path.name}": path.read_bytes() for path in sorted(package.parent.iterdir()) if path.is_file()}
+        files = {
+            f"superstep/{path.name}": path.read_bytes() for path in sorted(package.parent.iterdir()) if path.is_file()
+        }
     files[f"{name}.dist-info/METADATA"] = _metadata().encode()
-    files[f"{name}.dist-info/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: superstep\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
+    files[
+        f"{name}.dist-info/WHEEL"
+    ] = f"Wheel-Version: 1.0\nGenerator: superstep\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
     wheel = f"{name}-{tag}.whl"
     with zipfile.ZipFile(os.path.join(wheel_directory, wheel), "w", zipfile.ZIP_DEFLATED) as archive:
         for path, content in files.items():

@@ -32,13 +32,15 @@ def bench(
     threads: that may compute. time_limit: s of wall time of each run
 
     Returns the columns of results.csv by their names (reports/schema.md): lists of text and arrays of numbers, NaN
-    where nothing was measured; ``pandas.DataFrame(superstep.bench(...))`` takes them. A method that fails is a row, with
-    its status and reason. What the user should look at is a UserWarning. Scenes without output times of their own are
-    judged at 2, 10 and 100 % of the run.
+    where nothing was measured; ``pandas.DataFrame(superstep.bench(...))`` takes them. A method that fails is a row,
+    with its status and reason. What the user should look at is a UserWarning. Scenes without output times of their
+    own are judged at 2, 10 and 100 % of the run.
     Raises InputError for wrong SPECs and scenes.
     """
-    several = isinstance(scene, Sequence) and not isinstance(scene, str)
-    cases = list(scene) if several else [scene]
+    if isinstance(scene, Sequence) and not isinstance(scene, str):
+        cases: list[Case] = list(scene)
+    else:
+        cases = [scene]
     if not cases:
         raise _core.InputError("bench: there is no scene to measure")
     methods = [methods] if isinstance(methods, str) else list(methods)

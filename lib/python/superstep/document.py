@@ -52,4 +52,7 @@ def _value(value: Any, name: str, place: str) -> str:
         return f"[{', '.join(_value(one, name, f'{place}[{k}]') for k, one in enumerate(value))}]"
     if value is None:
         raise InputError(f"{name}: key '{place}' is None; leave it out")
-    raise InputError(f"{name}: key '{place}' is of type {type(value).__name__}; a case holds numbers, strings, booleans, lists and dicts")
+    raise InputError(
+        f"{name}: key '{place}' is of type {type(value).__name__}; "
+        "a case holds numbers, strings, booleans, lists and dicts"
+    )

@@ -30,7 +30,8 @@ class Result:
     t_reached: float  #: s
     spans: list[float]  #: what rtol refers to, one a field [K or V]; empty = the method takes none
     #: sweeps over the network, steps, rejected, jacobians, factorizations, solves, potential_solves, max_stages,
-    #: cpu_prepare_s, cpu_stepping_s, wall_stepping_s, cpu_pilot_s, error_bound (over the span) and settled_at (s) or None
+    #: cpu_prepare_s, cpu_stepping_s, wall_stepping_s, cpu_pilot_s; error_bound (over the span) and settled_at (s), or
+    #: None
     statistics: dict[str, Any]
 
     def values(self, field: str = "") -> NDArray[np.float64]:
@@ -99,4 +100,4 @@ def _times(scene: Scene, t_end: Optional[float], output_times: Optional[ArrayLik
             raise _core.InputError(f"output_times ends at {times[-1]}; none may be after t_end = {t_end} s")
     if t_end is not None and not (times.size and times[-1] == t_end):
         times = np.append(times, t_end)
-    return times.tolist()
+    return [float(t) for t in times]

@@ -25,7 +25,11 @@ def _is_array(value: Any) -> bool:
     """Numbers one after the other, in whatever they come; tables are none."""
     if isinstance(value, np.ndarray):
         return True
-    return isinstance(value, Sequence) and not isinstance(value, (str, bytes)) and not any(isinstance(v, Mapping) for v in value)
+    return (
+        isinstance(value, Sequence)
+        and not isinstance(value, (str, bytes))
+        and not any(isinstance(v, Mapping) for v in value)
+    )
 
 
 def _spheres(case: dict[str, Any], name: str) -> Optional[Arrays]:
@@ -65,10 +69,15 @@ def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
         if isinstance(conductance, (int, float)):
             conductance = np.full(len(out["edges"]), float(conductance))
         out["conductance"] = conductance
-    arrays = {key: network.pop(key) for key in ("capacity", "source", "initial", "fixed") if _is_array(network.get(key))}
+    arrays = {
+        key: network.pop(key) for key in ("capacity", "source", "initial", "fixed") if _is_array(network.get(key))
+    }
     if not out:
         if arrays:
-            raise InputError(f"{name}: [network] {next(iter(arrays))} is an array, and the network is in files; hand over matrix or edges as well")
+            raise InputError(
+                f"{name}: [network] {next(iter(arrays))} is an array, and the network is in files; "
+                "hand over matrix or edges as well"
+            )
         return None
     if "edges" in out:
         out["nodes"] = _count(network, out["edges"], arrays, name)
@@ -105,5 +114,6 @@ def _rows(matrix: Any, name: str) -> Arrays:
         return {"data": rows.data, "indices": rows.indices, "indptr": rows.indptr}
     dense = np.asarray(matrix)
     row, column = np.nonzero(dense)
-    indptr = np.concatenate(([0], np.cumsum(np.bincount(row, minlength=shape[0]))))
+    indptr = np.zeros(shape[0] + 1, dtype=np.int64)
+    np.cumsum(np.bincount(row, minlength=shape[0]), out=indptr[1:])
     return {"data": dense[row, column], "indices": column, "indptr": indptr}

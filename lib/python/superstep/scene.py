@@ -49,7 +49,9 @@ class Scene:
         return cls(_core.load_file(os.fspath(path)))
 
     @classmethod
-    def from_dict(cls, case: Mapping[str, Any], *, name: str = "case", folder: Union[str, os.PathLike[str]] = "") -> Scene:
+    def from_dict(
+        cls, case: Mapping[str, Any], *, name: str = "case", folder: Union[str, os.PathLike[str]] = ""
+    ) -> Scene:
         """A case with the keys of a case file (``superstep list --keys``, cases/README.md).
 
         Arrays may stand where a file would be named:
@@ -254,7 +256,7 @@ class Scene:
         found = self._core.effective_conductivity(self._index(field))
         if found["value"] is None:
             raise _core.InputError(f"{self.name}: there is no effective conductivity: {found['note']}")
-        return found["value"]
+        return float(found["value"])
 
     def __repr__(self) -> str:
         fields = " and ".join(field.name for field in self.fields)
@@ -305,7 +307,9 @@ def as_scene(case: Case) -> Scene:
     return Scene.from_file(case)
 
 
-def _merged(made: dict[str, Any], output_times: Optional[ArrayLike], case: Optional[Mapping[str, Any]]) -> dict[str, Any]:
+def _merged(
+    made: dict[str, Any], output_times: Optional[ArrayLike], case: Optional[Mapping[str, Any]]
+) -> dict[str, Any]:
     """What the arguments say, overlaid by what the case says."""
     if output_times is not None:
         made["output_times"] = np.asarray(output_times, dtype=float)
