@@ -149,9 +149,18 @@ TEST(HostedHeat, OtherParticlesMayTakeTheirPlace) {
   heat.set_particles(std::vector{1.0, 1.0, 1.0}, std::vector{before[0], before[1], 5.0});
   heat.set_contacts(std::vector<Contact>{{0, 1, 1.0}});
   ASSERT_TRUE(heat.advance_temperatures(1).ok());
-  EXPECT_EQ(heat.temperatures()[2], 5);
+  EXPECT_DOUBLE_EQ(heat.temperatures()[2], 5) << "roundings of the method";
   // Two equal capacities: the difference falls as exp(-2 K t / C).
   EXPECT_NEAR(heat.temperatures()[1] - heat.temperatures()[0], std::exp(-4.0), 1e-8);
+}
+
+TEST(HostedHeat, WhoDoesNotMoveKeepsEveryBit) {
+  const double odd = 300.1 + 0.7;
+  HostedHeat heat(std::vector{1.0, 1.0, 1.0}, std::vector{200.3, 210.9, odd}, "forward-euler");
+  heat.set_contacts(std::vector<Contact>{{0, 1, 1.0}});
+  for (int k = 0; k < 10; ++k) ASSERT_TRUE(heat.advance_temperatures(0.3).ok());
+  EXPECT_EQ(heat.temperatures()[2], odd);
+  EXPECT_NEAR(heat.temperatures()[0], heat.temperatures()[1], 0.1);
 }
 
 TEST(HostedHeat, AMethodThatFailsLeavesTheTemperatures) {
