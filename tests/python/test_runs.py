@@ -167,6 +167,9 @@ class Endings(unittest.TestCase):
         }.items():
             with self.subTest(words), self.assertRaisesRegex(InputError, words):
                 integrate(scene, **named)
+        for named in ({"method": 7}, {"on_output": 3}):
+            with self.assertRaisesRegex(TypeError, next(iter(named))):
+                integrate(scene, **named)
         with self.assertRaisesRegex(InputError, "y has 3 values"):
             scene.rhs(0, [1, 2, 3])
         with self.assertRaisesRegex(InputError, "no field 'heat'"):

@@ -166,6 +166,7 @@ class WhatIsRefused(unittest.TestCase):
         self.refused(r"shape \(3, 4\); a network's is square", Scene.from_matrix, np.ones((3, 4)), t_end=1.0)
         self.refused("capacity has 2 values, and must have 40", network, capacity=[1.0, 2.0])
         self.refused(r"edges has the shape \(4,\)", Scene.from_edges, [0, 1, 2, 3], 1.0, t_end=1.0)
+        self.refused("conductance has 2 values, and must have 1", Scene.from_edges, [[0, 1]], [1.0, 2.0], t_end=1.0)
         self.refused("no array of integers", Scene.from_edges, [[0.0, 1.0]], 1.0, t_end=1.0)
         self.refused("no array of real numbers", Scene.from_spheres, centres.astype(str), radii, **tables)
         self.refused("no array of real numbers", Scene.from_spheres, centres + 1j, radii, **tables)
@@ -199,6 +200,8 @@ class WhatIsRefused(unittest.TestCase):
         self.refused("data has 3 values, and must have 4", Scene.from_matrix, (good[0][1:], *good[1:]), t_end=1.0)
         self.refused("indptr is empty", Scene.from_matrix, ([], [], []), t_end=1.0)
         self.refused("no nodes", Scene.from_matrix, ([], [], [0]), t_end=1.0)
+        self.refused("capacity is empty", network, capacity=[])
+        self.refused("source is empty", network, source=np.zeros(0))
 
     def test_dicts_with_wrong_keys_and_values(self):
         good = {"t_end": 1.0, "network": {"edges": [[0, 1]], "conductance": [1.0]}}

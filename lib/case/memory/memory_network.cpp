@@ -62,8 +62,9 @@ NetworkInput of_matrix(const NetworkArrays& arrays, const std::string& name, Mat
 
 NetworkInput of_edges(const NetworkArrays& arrays, const std::string& name) {
   require_countable(name, arrays.nodes);
-  const std::size_t edges = arrays.conductance.size();
-  require_length(name, "edges", arrays.ends.size(), 2 * edges, "two nodes for each conductance");
+  const std::size_t edges = arrays.ends.size() / 2;
+  require_length(name, "edges", arrays.ends.size(), 2 * edges, "two nodes for each edge");
+  require_length(name, "conductance", arrays.conductance.size(), edges, "one for each edge");
   NetworkInput input{equal_nodes(arrays.nodes), {}};
   for (std::size_t k = 0; k < edges; ++k) {
     const std::int64_t i = arrays.ends[2 * k], j = arrays.ends[2 * k + 1];

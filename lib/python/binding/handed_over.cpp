@@ -19,7 +19,7 @@ std::string shape_of(const py::array& array) {
 
 void require_shape(const std::string& name, const char* key, const py::array& array, py::ssize_t columns) {
   const bool fits = columns > 0 ? array.ndim() == 2 && array.shape(1) == columns : array.ndim() == 1;
-  if (fits) return;
+  if (fits || (array.ndim() == 1 && array.size() == 0)) return;
   throw InputError(fmt::format("{}: {} has the shape {}; it must be {}", name, key, shape_of(array),
                                columns > 0 ? fmt::format("(n, {})", columns) : "(n,)"));
 }
@@ -29,7 +29,8 @@ template <class Array>
 Array converted(const std::string& name, const char* key, const py::object& given, bool whole) {
   const auto array = py::array::ensure(given);
   const char kind = array ? array.dtype().kind() : 'O';
-  const bool fits = kind == 'i' || kind == 'u' || (!whole && (kind == 'f' || kind == 'b'));
+  const bool fits = kind == 'i' || kind == 'u' || (!whole && (kind == 'f' || kind == 'b')) ||
+                    (array && array.size() == 0);  // an empty list has no kind of its own
   if (!fits) {
     PyErr_Clear();
     throw InputError(fmt::format("{}: {} is no array of {}", name, key, whole ? "integers" : "real numbers"));
@@ -87,10 +88,16 @@ void HandedOver::take_network(const py::dict& network) {
   out.ends = integers(network, "edges", 2);
   out.conductance = numbers(network, "conductance");
   if (network.contains("nodes")) out.nodes = network["nodes"].cast<std::size_t>();
-  out.capacity = numbers(network, "capacity");
-  out.source = numbers(network, "source");
-  out.initial = numbers(network, "initial");
-  out.fixed = numbers(network, "fixed");
+  const auto of_nodes = [&](const char* key) {
+    const auto values = numbers(network, key);
+    if (values.empty() && network.contains(key))
+      throw InputError(fmt::format("{}: {} is empty; give one for each node, or leave it out", name_, key));
+    return values;
+  };
+  out.capacity = of_nodes("capacity");
+  out.source = of_nodes("source");
+  out.initial = of_nodes("initial");
+  out.fixed = of_nodes("fixed");
   data_.network = out;
 }
 

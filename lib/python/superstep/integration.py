@@ -78,6 +78,11 @@ def integrate(
     reached before.
     """
     scene = as_scene(scene)
+    if not isinstance(method, str):
+        raise TypeError(f"method must be a SPEC, a string; it is {method!r}")
+    if on_output is not None and not callable(on_output):
+        raise TypeError(f"on_output must be a function of t and y; it is {on_output!r}")
+    rtol = None if rtol is None else float(rtol)
     out = _core.run(scene._core, method, rtol, _times(scene, t_end, output_times), on_output, threads, time_limit)
     result = Result(scene=scene, **out)
     if result.status != "ok":

@@ -63,7 +63,7 @@ def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
         out.update(_rows(network.pop("matrix"), name))
     elif "edges" in network and not isinstance(network["edges"], str):
         out["edges"] = network.pop("edges")
-        if "conductance" not in network:
+        if network.get("conductance") is None:
             raise InputError(f"{name}: [network] has edges and no conductance; give one for each edge [W/K or S]")
         conductance = network.pop("conductance")
         if isinstance(conductance, (int, float)):

@@ -67,6 +67,8 @@ class Scene:
         name: of the case, with which errors begin. folder: where files that it names are.
         Raises InputError, with the key, or the array and the position in it.
         """
+        if not isinstance(case, Mapping):
+            raise TypeError(f"a case must be a dict; it is of type {type(case).__name__}: from_file takes paths")
         rest, spheres, network = memory.split(case, name)
         text = document.text_of(rest, name)
         return cls(_core.build(text, os.path.join(folder, name), spheres, network))
