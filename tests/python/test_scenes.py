@@ -224,6 +224,8 @@ class WhatIsRefused(unittest.TestCase):
             Scene.from_dict,
             {"t_end": 1.0, "network": {"matrix": "K.mtx", "capacity": [1.0]}},
         )
+        with self.assertRaisesRegex(TypeError, "a case must be a dict"):
+            Scene.from_dict("case.toml")
         self.refused(
             "has no radii", Scene.from_dict, {"t_end": 1.0, "packing": {"centres": np.zeros((1, 3))}, "thermal": {}}
         )
