@@ -3,6 +3,8 @@
 import os
 import pathlib
 import signal
+import subprocess
+import sys
 import threading
 import unittest
 
@@ -245,6 +247,14 @@ class Endings(unittest.TestCase):
 
 
 class TheModule(unittest.TestCase):
+    def test_under_a_launcher_of_parallel_programs_each_interpreter_is_alone(self):
+        script = "import superstep as s; print(s.integrate(s.Scene.from_edges([[0, 1]], 1.0, t_end=1.0)).status)"
+        environment = {**os.environ, "OMPI_COMM_WORLD_SIZE": "3", "OMPI_COMM_WORLD_RANK": "1"}
+        said = subprocess.run(
+            [sys.executable, "-c", script], env=environment, check=True, capture_output=True, text=True
+        )
+        self.assertEqual(said.stdout.strip(), "ok")
+
     def test_it_names_every_method(self):
         names = [method.name for method in superstep.methods()]
         for name in ("forward-euler", "rkc", "cvode", "auto"):

@@ -9,6 +9,7 @@
 #include "case/checks/effective.hpp"
 #include "core/error.hpp"
 #include "integrators/registry.hpp"
+#include "parallel/stay_alone.hpp"
 #include "python/binding/arrays.hpp"
 #include "python/binding/benchmark.hpp"
 #include "python/binding/bound_scene.hpp"
@@ -133,6 +134,7 @@ void add_scene(py::module_& module) {
 
 PYBIND11_MODULE(_core, module) {
   namespace here = superstep::python;
+  superstep::stay_alone();  // under mpirun each interpreter has scenes of its own
   module.doc() = "The compiled part of superstep; see the package.";
   here::add_errors(module);
   here::add_scene(module);
