@@ -133,6 +133,11 @@ class WaysToAScene(unittest.TestCase):
         self.assertEqual(scene.t_end, 2.0)
         self.assertIn("mine", repr(scene))
         np.testing.assert_array_equal(scene.ids, np.arange(40))
+        self.assertIsNone(scene.centres)
+        self.assertIsNone(scene.radii)
+        centres, radii = row_of_spheres()
+        np.testing.assert_array_equal(spheres().centres, centres)
+        np.testing.assert_array_equal(spheres().radii, radii)
         np.testing.assert_allclose(scene.capacities(), np.linspace(1, 2, 40))
 
     def test_effective_conductivity_of_a_row(self):

@@ -55,6 +55,23 @@ py::array_t<double> initial(const BoundScene& bound) {
   return hand_over(std::move(y));
 }
 
+/// Particles of the packing; None for a network given directly.
+py::object centres(const BoundScene& bound) {
+  const auto& packed = bound.scene().packed;
+  if (!packed) return py::none();
+  std::vector<double> out;
+  out.reserve(3 * packed->packing.size());
+  for (const Vec3& centre : packed->packing.centre) out.insert(out.end(), {centre.x, centre.y, centre.z});
+  const auto rows = static_cast<py::ssize_t>(packed->packing.size());
+  return hand_over(std::move(out)).reshape({rows, py::ssize_t{3}});
+}
+
+py::object radii(const BoundScene& bound) {
+  const auto& packed = bound.scene().packed;
+  if (!packed) return py::none();
+  return hand_over(std::vector(packed->packing.radius));
+}
+
 /// One dimension, whatever the caller's is.
 std::span<const double> vector_of(const Numbers& y) {
   if (y.ndim() != 1) throw InputError("y must have one dimension: a value for each unknown");
@@ -120,6 +137,8 @@ void add_scene(py::module_& module) {
       .def_property_readonly("unknown_node",
                              [](const BoundScene& b) { return hand_over(std::vector(b.unknowns().node())); })
       .def_property_readonly("initial", &initial)
+      .def_property_readonly("centres", &centres)
+      .def_property_readonly("radii", &radii)
       .def("edges", &edges)
       .def("capacities", [](const BoundScene& b,
                             std::size_t f) { return hand_over(std::vector(field_of(b, f).graph.capacity)); })

@@ -242,6 +242,16 @@ class Scene:
         """(m,) unknowns at t = 0, K or V."""
         return self._core.initial
 
+    @property
+    def centres(self) -> Optional[NDArray[np.float64]]:
+        """(n, 3) m, of the packing's particles; None for a network given directly."""
+        return self._core.centres
+
+    @property
+    def radii(self) -> Optional[NDArray[np.float64]]:
+        """(n,) m, of the packing's particles; None for a network given directly."""
+        return self._core.radii
+
     def edges(self, field: str = "") -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]:
         """The two nodes of each edge and its conductance in W/K or S, (edges,) each. field: "" = the first."""
         return self._core.edges(self._index(field))
