@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/index.hpp"
 #include "network/graph.hpp"
+#include "network/network_in_order.hpp"
 
 namespace superstep {
 namespace {
@@ -46,6 +47,7 @@ void HostedHeat::set_particles(std::span<const double> capacities, std::span<con
   source_.assign(capacity_.size(), 0.0);
   held_.assign(capacity_.size(), 0);
   contacts_.clear();
+  order_.clear();
   spoil(Stale::structure);
 }
 
@@ -112,17 +114,22 @@ void HostedHeat::hold(std::size_t particle, double temperature) {
   if (!std::isfinite(temperature))
     throw InputError(
         fmt::format("HostedHeat: particle {} is to be held at {}; it must be finite", particle, temperature));
-  if (!is_held(particle))
+  if (!is_held(particle)) {
+    order_.clear();
     spoil(Stale::structure);
-  else if (temperature_[particle] != temperature)
+  } else if (temperature_[particle] != temperature) {
     spoil(Stale::values);
+  }
   held_[particle] = 1;
   temperature_[particle] = temperature;
 }
 
 void HostedHeat::release(std::size_t particle) {
   require(particle);
-  if (is_held(particle)) spoil(Stale::structure);
+  if (is_held(particle)) {
+    order_.clear();
+    spoil(Stale::structure);
+  }
   held_[particle] = 0;
 }
 
@@ -132,7 +139,7 @@ void HostedHeat::set_span(double span) {
   stated_span_ = span;
 }
 
-void HostedHeat::build() {
+Network HostedHeat::new_network() const {
   Graph graph = equal_nodes(capacity_.size());
   std::vector<NodeRole> roles(capacity_.size(), NodeRole::free);
   graph.capacity = capacity_;
@@ -150,7 +157,20 @@ void HostedHeat::build() {
   }
   // As for a case: digits that all temperatures share would be lost in every difference.
   const auto [low, high] = std::ranges::minmax(temperature_);
-  network_ = build_network(graph, roles, low > 0 ? low : std::min(high, 0.0));
+  const double origin = low > 0 ? low : std::min(high, 0.0);
+  return order_.empty() ? build_network(graph, roles, origin)
+                        : build_network_in_order(graph, roles, origin, order_);
+}
+
+void HostedHeat::build() {
+  // Neighbours stay neighbours for a while; then looking for another order costs little beside what was
+  // spared.
+  constexpr int most_networks = 50;
+  if (orders_used_ == most_networks) order_.clear();
+  if (order_.empty()) orders_used_ = 0;
+  network_ = new_network();
+  order_ = network_.node_of_row;
+  ++orders_used_;
   find_places();
 }
 

@@ -2,15 +2,17 @@
 /// The door for a code that moves its own particles: it hands in what touches what and how well that
 /// conducts; temperatures are kept here, and any registered method advances them.
 ///
-///   HostedHeat heat(capacities, temperatures, "rkc:rtol=1e-4");
+///   HostedHeat heat(capacities, temperatures, "exponential:rtol=1e-4");
 ///   for (each step of the host) {
 ///     heat.set_contacts(contacts);            // as they are now
 ///     if (const auto outcome = heat.advance_temperatures(dt); !outcome.ok()) stop(outcome.reason);
 ///   }
 ///
 /// Contacts stand still during a call. What has not changed since the last one is not done again: the same
-/// contacts with the same conductances keep the method prepared, the same contacts with others keep the
-/// order of the network. Walls are particles that are held. Bad input throws InputError and changes nothing.
+/// contacts with the same conductances keep the method prepared, the same contacts with others keep their
+/// places in the network, other contacts between the same particles keep, for a while, its order. The network
+/// is linear and its inputs stand: `exponential` has the fewest sweeps. Walls are particles that are held.
+/// Bad input throws InputError and changes nothing.
 
 #include <algorithm>
 #include <cstdint>
@@ -35,7 +37,7 @@ class HostedHeat {
   ///   temperatures  [n] K, or in any unit and from any zero
   ///   method        SPEC, see `superstep list`; throws UsageError
   HostedHeat(std::span<const double> capacities, std::span<const double> temperatures,
-             std::string method = "rkc:rtol=1e-4");
+             std::string method = "exponential:rtol=1e-4");
 
   /// Other particles, as many as there are now; contacts, sources and what is held are forgotten.
   void set_particles(std::span<const double> capacities, std::span<const double> temperatures);
@@ -66,6 +68,7 @@ class HostedHeat {
   void require(std::size_t particle) const;
   [[nodiscard]] bool is_held(std::size_t particle) const noexcept { return held_[particle] != 0; }
   void build();
+  [[nodiscard]] Network new_network() const;
   void find_places();
   void fill();
   void gather();
@@ -76,6 +79,8 @@ class HostedHeat {
   std::vector<Contact> contacts_;                        // that conduct
   Stale stale_ = Stale::structure;
   Network network_;
+  std::vector<std::int32_t> order_;  // of the particles that are not held, as once found; empty = to be found
+  int orders_used_ = 0;              // networks that have it
   /// [contacts] where their conductances stand: two entries of the matrix, or an edge to a ghost and -1, or
   /// -1 twice between two that are held.
   std::vector<std::pair<std::int64_t, std::int64_t>> place_;
