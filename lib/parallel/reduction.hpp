@@ -43,9 +43,14 @@ class Reduction {
   /// its calls; two threads must not use one Reduction at the same time.
   template <class Term>
   [[nodiscard]] double sum(Term term) const {
+    return sum_of_ranges([&](std::size_t first, std::size_t last) { return sum_chunk(first, last, term); });
+  }
+
+  /// Sum of part(first, last) over ranges that make up all entries: of a kernel that adds up by itself.
+  template <class Part>
+  [[nodiscard]] double sum_of_ranges(const Part& part) const {
     for_ranges(chunk_sum_.size(), size_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k)
-        chunk_sum_[k] = sum_chunk(chunk_begin_[k], chunk_begin_[k + 1], term);
+      for (std::size_t k = first; k < last; ++k) chunk_sum_[k] = part(chunk_begin_[k], chunk_begin_[k + 1]);
     });
     return sum_of_chunks();
   }

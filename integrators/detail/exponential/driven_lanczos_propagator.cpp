@@ -23,15 +23,17 @@ double sum_of(std::span<const double> values) {
 }  // namespace
 
 void DrivenLanczosPropagator::allocate() {
-  const double vector =
-      static_cast<double>(std::max<std::size_t>(1, rhs().reduction().total()) * sizeof(double));
+  auto shapes = rhs().input_shapes();
+  const auto storage = LanczosSpace::storage_for(part_allowed() / static_cast<double>(1 + shapes.size()));
+  const double vector = static_cast<double>(std::max<std::size_t>(1, rhs().reduction().total()) *
+                                            static_cast<std::size_t>(storage));
   constexpr double most_ever = 40'000;
   most_vectors_ = static_cast<std::size_t>(std::min(memory_ / vector, most_ever));
   inputs_.clear();
-  inputs_.emplace_back(rhs());
+  inputs_.emplace_back(rhs(), storage, recent_);
   const auto capacity = rhs().capacities();
-  for (auto& shape : rhs().input_shapes()) {
-    Input& input = inputs_.emplace_back(rhs());
+  for (auto& shape : shapes) {
+    Input& input = inputs_.emplace_back(rhs(), storage, recent_);
     ExactSum inflow;
     for (const auto& rate : shape.rates) inflow.add(capacity[at(rate.entry)] * rate.rate);
     input.inflow_rate = rhs().reduction().sum(inflow);
@@ -95,7 +97,7 @@ Outcome DrivenLanczosPropagator::grow(Input& input) {
   input.size = size_of(input);
   const double share = allowed() / static_cast<double>(inputs_.size());
   const auto growth =
-      space.grow(stretch(), share / rms_over_norm(), input.size, most_vectors_ - vectors_, plan().stop);
+      space.grow(stretch(), share, rms_over_norm(), input.size, most_vectors_ - vectors_, plan().stop);
   vectors_ += space.dimension();
   count_terms(space.dimension());
   if (growth == LanczosSpace::Growth::stopped) return interrupted_at(now());
@@ -124,7 +126,8 @@ void DrivenLanczosPropagator::add_responses(Input& input, std::span<Output> outp
     for (double& factor : response.value) factor *= space.length();
     for (std::size_t p = 0; p < plan().probes.size(); ++p)
       output.probes[p] += space.entry(plan().probes[p], response.value);
-    if (&output == &outputs.back()) report(input, output.elapsed, sum_of(response.integral));
+    if (&output == &outputs.back())
+      report(input, output.elapsed, sum_of(response.integral), sum_of(response.value));
     factors[k] = std::move(response.value);
   }
   space.add_to(states, std::move(factors));
@@ -132,10 +135,12 @@ void DrivenLanczosPropagator::add_responses(Input& input, std::span<Output> outp
 
 /// Adds what the error bound has grown by.
 ///   integral  of the small solution, all entries [s]: each product rounds by some epsilons of rho
-void DrivenLanczosPropagator::report(Input& input, double elapsed, double integral) {
+///   factors   of unit vectors, all of them: kept vectors are rounded
+void DrivenLanczosPropagator::report(Input& input, double elapsed, double integral, double factors) {
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
   const auto& space = input.space;
-  const double rounding = roundings * rhs().spectral_bound(now(), origin()) * space.length() * integral;
+  const double rounding = roundings * rhs().spectral_bound(now(), origin()) * space.length() * integral +
+                          factors * space.rounding();
   const double reached = (space.bound_at(elapsed, input.size.largest) + rounding) * rms_over_norm();
   if (!(reached < span())) return give_up_bound();
   if (reached > input.reported) add_bound((reached - std::exchange(input.reported, reached)) / span());

@@ -31,7 +31,8 @@ class DrivenLanczosPropagator final : public InstantBatch {
   /// One input: what it does to f for a unit, and how it changes in time. Without a table it is constant: the
   /// rates at the start.
   struct Input {
-    explicit Input(Rhs& rhs) : space(rhs) {}
+    Input(Rhs& rhs, LanczosSpace::Storage storage, LanczosSpace::Recent& recent)
+        : space(rhs, storage, recent) {}
     LanczosSpace space;
     InputShape shape;
     double inflow_rate = 0;                   ///< W or A for a unit
@@ -45,9 +46,10 @@ class DrivenLanczosPropagator final : public InstantBatch {
   /// How large an input gets, and how far it goes up and down in all, until the end of the run.
   [[nodiscard]] LanczosSpace::Input size_of(const Input& input) const;
   void add_responses(Input& input, std::span<Output> outputs);
-  void report(Input& input, double elapsed, double integral);
+  void report(Input& input, double elapsed, double integral, double factors);
 
   double memory_;
+  LanczosSpace::Recent recent_;
   std::size_t most_vectors_ = 0;  ///< of all spaces together
   std::vector<Input> inputs_;     ///< the first one is constant
   std::size_t vectors_ = 0;

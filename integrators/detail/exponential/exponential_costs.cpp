@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "integrators/detail/cost_models.hpp"
+#include "integrators/detail/krylov/lanczos_space.hpp"
 
 namespace superstep {
 namespace {
@@ -30,7 +31,8 @@ double sweeps_of_lanczos(const ExponentialWork& work) {
       std::sqrt(work.t_rho) * (costs::lanczos_vectors + costs::lanczos_vectors_of_digit * decades) +
       costs::lanczos_few;
   const double vectors = std::min(wanted, work.unknowns + 1);  // then the space is whole
-  const double room = work.memory / (8 * std::max(1.0, work.unknowns));
+  const auto storage = LanczosSpace::storage_for(work.rtol / (1 + work.shapes));
+  const double room = work.memory / (static_cast<double>(storage) * std::max(1.0, work.unknowns));
   constexpr double fewest = 40;  // a basis begun anew after fewer is no better than an expansion
   // Its products round by epsilons of rho each, and that acts for the whole time.
   constexpr double roundings = 30 * std::numeric_limits<double>::epsilon();

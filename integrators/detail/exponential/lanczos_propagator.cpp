@@ -19,7 +19,8 @@ constexpr std::size_t fewest_vectors = 8, most_vectors_ever = 40'000;
 }  // namespace
 
 void LanczosPropagator::allocate() {
-  const double vector = static_cast<double>(rhs().reduction().total() * sizeof(double));
+  const auto storage = LanczosSpace::storage_for(part_allowed());
+  const double vector = static_cast<double>(rhs().reduction().total() * static_cast<std::size_t>(storage));
   const double fit = std::min(memory_ / std::max(vector, 1.0), static_cast<double>(most_vectors_ever));
   if (fit < fewest_vectors)
     throw Refused(
@@ -28,7 +29,7 @@ void LanczosPropagator::allocate() {
                     memory_ / 0x1p20, fit));
   most_vectors_ = static_cast<std::size_t>(fit);
   start_.resize(rhs().size());
-  space_.emplace(rhs());
+  space_.emplace(rhs(), storage, recent_);
 }
 
 void LanczosPropagator::start_over() {
@@ -92,13 +93,19 @@ void LanczosPropagator::evaluate(std::span<Output> outputs) {
     std::copy_n(start_.begin(), output.state.size(), output.state.begin());
     states.push_back(output.state);
   }
-  space_->add_to(states, std::move(factors));
-  // Each product rounds by some epsilons of rho, which then act as the residual does.
-  double sum = 0;
+  // Each product rounds by some epsilons of rho, which then act as the residual does; kept vectors are
+  // rounded.
+  double sum = 0, kept = 0;
   for (const double integral : responses.back().integral) sum += std::abs(integral);
+  for (const auto& of_output : factors) {
+    double all = 0;
+    for (const double factor : of_output) all += std::abs(factor);
+    kept = std::max(kept, all * space_->rounding());
+  }
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
   const double rounding =
-      roundings * rhs().spectral_bound(now(), start_) * space_->length() * sum * rms_over_norm();
+      (roundings * rhs().spectral_bound(now(), start_) * space_->length() * sum + kept) * rms_over_norm();
+  space_->add_to(states, std::move(factors));
   const double stored = std::numeric_limits<double>::epsilon() * magnitude() * span();
   const double reached = bound_at(times.back()) + rounding + stored;
   if (!(reached < span())) return give_up_bound();
@@ -124,7 +131,7 @@ Outcome LanczosPropagator::restart_at(double covered, double error) {
 
 /// Adds vectors until the space covers `elapsed` or is as large as it may be.
 Outcome LanczosPropagator::grow(double elapsed) {
-  const auto growth = space_->grow(elapsed, unspent_ / rms_over_norm(), {}, most_vectors_, plan().stop);
+  const auto growth = space_->grow(elapsed, unspent_, rms_over_norm(), {}, most_vectors_, plan().stop);
   covered_ = growth == LanczosSpace::Growth::covers;
   count_terms(space_->dimension());
   return growth == LanczosSpace::Growth::stopped ? interrupted_at(now() + offset_) : Outcome{};

@@ -35,7 +35,7 @@ class LanczosPropagator final : public InstantBatch {
   /// rms error after `elapsed` in the present space [K or V]: an upper bound, and what it will be.
   [[nodiscard]] double bound_at(double elapsed) const { return space_->bound_at(elapsed) * rms_over_norm(); }
   [[nodiscard]] double estimate_at(double elapsed) const {
-    return space_->estimate_at(elapsed, {}) * rms_over_norm();
+    return space_->estimate_at(elapsed, {}) * space_->rms_over_norm(rms_over_norm());
   }
   [[nodiscard]] double time_covered(double longest) const;
   [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients) const;
@@ -45,6 +45,7 @@ class LanczosPropagator final : public InstantBatch {
 
   double memory_;
   std::size_t most_vectors_ = 0;
+  LanczosSpace::Recent recent_;
   std::optional<LanczosSpace> space_;
   StateVector start_;          ///< state from which the present space starts
   double offset_ = 0;          ///< its time since the origin [s]

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "integrators/detail/krylov/arnoldi_kernels.hpp"
 #include "rhs/kernels/sweep.hpp"
 
 namespace superstep {
@@ -71,9 +72,9 @@ void ScaledJacobian::set(double t, std::span<const double> y) {
 double ScaledJacobian::multiply(const double* v, const double* other, double* out) {
   rhs_->count_product();
   fused_sweep(rows_, {.y1 = v, .a = 0, .d = 1}, out);
-  return rhs_->reduction().sum([&](std::size_t i) {
-    out[i] += diagonal_[i] * v[i];
-    return out[i] * other[i];
+  const auto& kernel = arnoldi_kernels().front();
+  return rhs_->reduction().sum_of_ranges([&](std::size_t first, std::size_t last) {
+    return kernel.add_diagonal(out, diagonal_.data(), v, other, first, last);
   });
 }
 

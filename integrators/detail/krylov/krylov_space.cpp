@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrators/detail/krylov/arnoldi_kernels.hpp"
+
 namespace superstep {
 
 void KrylovSpace::prepare(const Rhs& rhs, const ErrorNorm& norm, ScaledJacobian& jacobian, std::size_t most,
@@ -38,15 +40,15 @@ void KrylovSpace::extend() {
   if (basis_.size() <= j + 1) basis_.emplace_back(reduction_->size());
   StateVector& w = basis_[j + 1];
   const std::size_t first = j + 1 > depth_ ? j + 1 - depth_ : 0;
+  const auto& kernel = arnoldi_kernels().front();
   double part = jacobian_->multiply(basis_[j].data(), basis_[first].data(), w.data());
   double square = 0;
   for (std::size_t i = first; i <= j; ++i) {
     matrix_.at(i, j) = part;
     const StateVector& v = basis_[i];
     const StateVector& next = i < j ? basis_[i + 1] : w;
-    const double sum = reduction_->sum([&](std::size_t n) {
-      w[n] -= part * v[n];
-      return w[n] * next[n];
+    const double sum = reduction_->sum_of_ranges([&](std::size_t from, std::size_t to) {
+      return kernel.subtract(w.data(), part, v.data(), next.data(), from, to);
     });
     (i < j ? part : square) = sum;
   }

@@ -3,11 +3,14 @@
 ///   A V = V T + beta v_{m+1} e_m^T
 /// Source: Hochbruck & Lubich (1997), doi:10.1137/S0036142995280572.
 
+#include <array>
 #include <atomic>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
+#include "core/state_vector.hpp"
 #include "integrators/detail/krylov/residual_bound.hpp"
 #include "integrators/detail/krylov/vector_store.hpp"
 #include "rhs/rhs.hpp"
@@ -16,16 +19,28 @@ namespace superstep {
 
 class LanczosSpace {
  public:
-  explicit LanczosSpace(Rhs& rhs) : rhs_(&rhs), basis_(rhs.size()) {}
+  /// Precision in which the basis is kept, [bytes] of a number. The recurrence runs in double precision.
+  enum class Storage : std::size_t { single = sizeof(float), full = sizeof(double) };
+  /// Single where results may err by `error` of what changes and more: sums of up to a thousand kept vectors
+  /// then err by less than a tenth of that.
+  [[nodiscard]] static constexpr Storage storage_for(double error) noexcept {
+    return error >= 2e-5 ? Storage::single : Storage::full;
+  }
+  /// The last vectors, from which the next one is made. Spaces that grow one after the other share them.
+  using Recent = std::array<StateVector, 3>;
+
+  ///   recent  in use while the space grows
+  LanczosSpace(Rhs& rhs, Storage storage, Recent& recent);
+  /// Rounding of a kept entry, relative to it.
+  [[nodiscard]] double rounding() const noexcept;
 
   /// Of dimension 0, for times up to `longest` [s], once `fill(first)` has written the first vector [n].
   ///   inflow  what flows in along each vector is kept, too
   template <class Fill>
   void open(double longest, bool inflow, const Fill& fill) {
     clear(longest, inflow);
-    const auto first = basis_.at(0);
-    fill(first);
-    norm_.push_back(norm_of(first));
+    fill(recent(0));
+    norm_.push_back(norm_of(recent(0)));
   }
   [[nodiscard]] std::size_t dimension() const noexcept { return alpha_.size(); }
   /// No vector more is to be had: the space holds all that the first one excites.
@@ -51,11 +66,16 @@ class LanczosSpace {
   /// response to a step, which is more the longer ago that was, times all that q goes up and down.
   [[nodiscard]] double estimate_at(double elapsed, const Input& input) const;
 
+  /// rms that an error of capacity norm 1 has where the newest vectors are; at most `largest`, what it can be
+  /// anywhere. Unit: one over the root of a capacity.
+  [[nodiscard]] double rms_over_norm(double largest) const;
+
   enum class Growth { covers, full, stopped };
-  /// Adds vectors until the error after `elapsed` is within `allowed` (in the capacity norm), there are
-  /// `most`, or somebody wants to stop.
-  [[nodiscard]] Growth grow(double elapsed, double allowed, const Input& input, std::size_t most,
-                            const std::atomic<bool>* stop);
+  /// Adds vectors until the rms error after `elapsed` is within `allowed`, there are `most`, or somebody
+  /// wants to stop.
+  ///   rms_over_norm  the most that an rms can be of a capacity norm
+  [[nodiscard]] Growth grow(double elapsed, double allowed, double rms_over_norm, const Input& input,
+                            std::size_t most, const std::atomic<bool>* stop);
 
   /// Adds the sum of factors[k][j] times unit vector j to `states[k]` [n], where that is not empty.
   void add_to(std::span<const std::span<double>> states, std::vector<std::vector<double>> factors) const;
@@ -73,8 +93,13 @@ class LanczosSpace {
   void clear(double longest, bool inflow);
   [[nodiscard]] double norm_of(std::span<const double> v) const;
 
+  /// v_j times `norm_[j]`, for the newest j.
+  [[nodiscard]] std::span<double> recent(std::size_t j) const { return (*recent_)[j % recent_->size()]; }
+
   Rhs* rhs_;
-  VectorStore basis_;         ///< v_j times `norm_[j]`
+  double scale_;                                                 ///< root of the mean capacity
+  std::variant<VectorStore<float>, VectorStore<double>> basis_;  ///< unit vectors times `scale_`
+  Recent* recent_;
   std::vector<double> norm_;  ///< [dimension + 1]; norm_[j] couples j-1 to j
   std::vector<double> alpha_, inflow_;
   ResidualBound bound_;
