@@ -14,6 +14,10 @@ packages=(
 # shellcheck disable=SC2034
 parallel_packages=(libpetsc-real-dev mpi-default-dev mpi-default-bin pkg-config)
 
+# The Python module and its tests; without them CMake leaves it out.
+# shellcheck disable=SC2034
+python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy)
+
 # missing_packages PACKAGE...: those that are not installed, one a line.
 missing_packages() {
   local package

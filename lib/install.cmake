@@ -16,7 +16,8 @@ endforeach()
 
 install(TARGETS superstep RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${exported} EXPORT superstepTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ DESTINATION include/superstep FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ DESTINATION include/superstep FILES_MATCHING PATTERN "*.hpp"
+  PATTERN python EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/integrators DESTINATION include/superstep FILES_MATCHING PATTERN "*.hpp"
   PATTERN detail EXCLUDE)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/superstep)

@@ -35,6 +35,7 @@ preset=release
 if [[ ${SUPERSTEP_SANITIZE:-0} == 1 ]]; then preset=asan; fi
 install_missing_packages
 install_optional_packages "the program runs on one machine alone" "${parallel_packages[@]}"
+install_optional_packages "the Python module is left out" "${python_packages[@]}"
 install_optional_packages "the format of sources is not checked" clang-format
 check_format
 install_optional_packages "scripts are not checked" shellcheck

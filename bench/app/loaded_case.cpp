@@ -17,21 +17,22 @@ namespace superstep {
 
 namespace {
 
-/// SPECs out of a case file: what is wrong with them is the file's fault, at its line.
-void check_specs_of(const CaseHead& head) {
-  for (const auto& stated : head.stated_specs) try {
-      check_specs({stated.spec});
-    } catch (const UsageError& error) {
-      throw InputError(fmt::format("{}: {}", stated.where, error.what()));
-    }
-}
-
 /// `begin` [s]: CPU time before the file was parsed.
 LoadedCase load(TomlTable root, double begin) {
   LoadedCase one{.content = load_case(std::move(root))};
   one.cpu_setup = process_cpu_seconds() - begin;
   check_specs_of(one.head());
   return one;
+}
+
+}  // namespace
+
+void check_specs_of(const CaseHead& head) {
+  for (const auto& stated : head.stated_specs) try {
+      check_specs({stated.spec});
+    } catch (const UsageError& error) {
+      throw InputError(fmt::format("{}: {}", stated.where, error.what()));
+    }
 }
 
 void prepare_for_bench(Scene& scene, const TomlTable& root) {
@@ -41,8 +42,6 @@ void prepare_for_bench(Scene& scene, const TomlTable& root) {
                      "; a benchmark of it would not end: mend length_unit, or run one method with `run`");
   if (!scene.own_output_times) scene.output_times = {0.02 * scene.t_end, 0.1 * scene.t_end, scene.t_end};
 }
-
-}  // namespace
 
 LoadedCase load_checked_case(const std::string& file) {
   const double begin = process_cpu_seconds();

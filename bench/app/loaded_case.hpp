@@ -23,6 +23,12 @@ struct LoadedCase {
 /// slip in a unit: such a benchmark would not end.
 [[nodiscard]] LoadedCase load_bench_case(const std::string& file);
 
+/// What `load_bench_case` does with the scene of a case that is loaded already, `root`. Throws InputError.
+void prepare_for_bench(Scene& scene, const TomlTable& root);
+
+/// SPECs out of a case: what is wrong with them is the case's fault, at its line. Throws InputError.
+void check_specs_of(const CaseHead& head);
+
 /// The scene of a case. Throws InputError where particles move.
 ///   command  that needs a network which stays as it is, as in "stability"
 [[nodiscard]] const Scene& scene_of(const Case& one, const std::string& command);

@@ -5,6 +5,7 @@
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/materials.hpp"
+#include "case/memory/case_data.hpp"
 #include "case/network/read_network_scene.hpp"
 #include "case/packed/assign_materials.hpp"
 #include "case/probe.hpp"
@@ -73,11 +74,11 @@ void require_temperature(const TomlTable& electric, const FieldScene& potential)
           electric.where()));
 }
 
-Coupling read_particles(TomlTable& root, Scene& scene) {
+Coupling read_particles(TomlTable& root, Scene& scene, const SphereArrays* spheres) {
   auto thermal = root.table("thermal"), electric = root.table("electric");
   if (!thermal && !electric)
     root.missing("thermal", "neither [thermal] nor [electric] is there; give one field to integrate");
-  PackingInput input = read_packing_scene(root);
+  PackingInput input = read_packing_scene(root, spheres);
   input.t_end = scene.t_end;
   assign_materials(root, input.unit, input.scene.packing);
   Materials materials(root, input.scene.packing);
@@ -106,16 +107,25 @@ Scene load_scene(const std::string& path) {
 }
 
 Scene load_scene(TomlTable root) {
+  return load_scene(std::move(root), CaseData{});
+}
+
+Scene load_scene(TomlTable root, const CaseData& data) {
   Scene scene;
   require_known_tables(root);
   read_head(root, scene);
   read_published(root, scene);
   const auto probe = root.find("probe");
   Coupling coupling;
-  if (auto network = root.table("network"))
-    read_network_scene(root, *network, scene);
+  auto network = root.table("network");
+  if (network ? data.spheres.has_value() : data.network.has_value())
+    throw InputError(
+        fmt::format("{}: there are {} in memory, and the case has {} [network]; leave one of the two out",
+                    root.where(), network ? "particles" : "nodes and edges", network ? "a" : "no"));
+  if (network)
+    read_network_scene(root, *network, scene, data.network ? &*data.network : nullptr);
   else
-    coupling = read_particles(root, scene);
+    coupling = read_particles(root, scene, data.spheres ? &*data.spheres : nullptr);
   root.finish();
   require_workable_numbers(scene);
   require_laws_to_hold(scene);

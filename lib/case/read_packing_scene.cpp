@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "case/memory/memory_packing.hpp"
 #include "case/packed/packing_options.hpp"
 #include "case/packed/read_contacts.hpp"
 #include "core/error.hpp"
@@ -146,14 +147,18 @@ std::string beside_case(const std::string& case_path, const std::string& file) {
   return path.is_absolute() ? file : (std::filesystem::path(case_path).parent_path() / path).string();
 }
 
-PackingInput read_packing_scene(TomlTable& root) {
+PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
   auto packing = root.table("packing");
   if (!packing)
     root.missing("packing", "[packing] is missing; name a packing file or a generator, or give a [network]");
   PackingInput input;
   const PackingOptions options = read_packing_options(*packing);
   const auto file = packing->find("file"), generator = packing->find("generator");
-  if (!file && !generator) packing->missing("file", "give either 'file' or 'generator', one of them");
+  if (spheres)
+    for (const auto* other : {&file, &generator})
+      if (*other) (*other)->reject("the particles are in memory already; leave this key out");
+  if (!file && !generator && !spheres)
+    packing->missing("file", "give either 'file' or 'generator', one of them");
   if (file && generator)
     throw InputError(fmt::format("{}: give either 'file' or 'generator', one of them", packing->where()));
   if (generator)
@@ -161,8 +166,9 @@ PackingInput read_packing_scene(TomlTable& root) {
       if (const auto value = packing->find(key))
         value->reject("it says how a packing file is read, and the case has a generator; leave it out");
   input.unit = options.length_unit.value_or(1.0);
-  input.scene.packing = file ? read_packing(beside_case(root.file(), file->string()), options)
-                             : generate(*packing, *generator, input.unit);
+  input.scene.packing = spheres ? packing_of(*spheres, root.file(), options)
+                        : file  ? read_packing(beside_case(root.file(), file->string()), options)
+                                : generate(*packing, *generator, input.unit);
   if (file) input.unit = input.scene.packing.length_unit;
   input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))
@@ -173,7 +179,10 @@ PackingInput read_packing_scene(TomlTable& root) {
     input.pipe = law->string() == "pipe";
     if (!input.pipe && law->string() != "series") law->reject("it must be \"series\" or \"pipe\"");
   }
-  read_contacts(*contact, file ? beside_case(root.file(), file->string()) : generator->where(), input.scene);
+  const std::string place = spheres ? packing->where()
+                            : file  ? beside_case(root.file(), file->string())
+                                    : generator->where();
+  read_contacts(*contact, place, input.scene);
   return input;
 }
 

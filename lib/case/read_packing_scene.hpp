@@ -16,9 +16,12 @@ struct PackingInput {
   double t_end = 0;   ///< s; how far repeated profiles reach
 };
 
+struct SphereArrays;
+
 /// Reads `[packing]` and `[contact]` from the root table. Files are looked up beside the case. Throws
 /// InputError.
-[[nodiscard]] PackingInput read_packing_scene(TomlTable& root);
+///   spheres  in memory, instead of a file or a generator; null = there are none
+[[nodiscard]] PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres = nullptr);
 
 /// `file` as named in the case at `case_path`: relative names start at the case's folder.
 [[nodiscard]] std::string beside_case(const std::string& case_path, const std::string& file);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/index.hpp"
+#include "network/network_in_order.hpp"
 #include "network/ordering.hpp"
 
 namespace superstep {
@@ -147,24 +148,26 @@ void count_from(double origin, Network& network) {
   }
 }
 
-}  // namespace
-
-Network build_network(const Graph& graph, std::span<const NodeRole> roles, double origin) {
-  std::vector<std::int32_t> free_nodes, row_of_node(graph.nodes(), -1);
-  for (std::size_t node = 0; node < graph.nodes(); ++node) {
-    if (roles[node] != NodeRole::free) continue;
-    row_of_node[node] = static_cast<std::int32_t>(free_nodes.size());
-    free_nodes.push_back(static_cast<std::int32_t>(node));
+/// The free nodes, numbered as they stand in the graph.
+struct FreeNodes {
+  std::vector<std::int32_t> node, number_of_node;  // [free], [nodes] -1 elsewhere
+  FreeNodes(const Graph& graph, std::span<const NodeRole> roles) : number_of_node(graph.nodes(), -1) {
+    for (std::size_t k = 0; k < graph.nodes(); ++k) {
+      if (roles[k] != NodeRole::free) continue;
+      number_of_node[k] = static_cast<std::int32_t>(node.size());
+      node.push_back(static_cast<std::int32_t>(k));
+    }
   }
-  const Adjacency adjacency = free_adjacency(graph, row_of_node, free_nodes.size());
-  auto order = reverse_cuthill_mckee(adjacency.row_begin, adjacency.neighbour);
-  group_by_length(adjacency.row_begin, order);
+};
 
+/// order[row] = number of a free node
+Network assemble(const Graph& graph, std::span<const NodeRole> roles, double origin, FreeNodes free,
+                 const Adjacency& adjacency, const std::vector<std::int32_t>& order) {
   Network network;
   permute_rows(adjacency, order, network);
-  network.row_of_node = std::move(row_of_node);
+  network.row_of_node = std::move(free.number_of_node);
   for (const auto old : order) {
-    const auto node = free_nodes[at(old)];
+    const auto node = free.node[at(old)];
     network.row_of_node[at(node)] = static_cast<std::int32_t>(network.node_of_row.size());
     network.node_of_row.push_back(node);
     network.capacity.push_back(graph.capacity[at(node)]);
@@ -177,6 +180,27 @@ Network build_network(const Graph& graph, std::span<const NodeRole> roles, doubl
   add_inputs(graph, network);
   if (origin != 0) count_from(origin, network);
   return network;
+}
+
+}  // namespace
+
+Network build_network(const Graph& graph, std::span<const NodeRole> roles, double origin) {
+  FreeNodes free(graph, roles);
+  const Adjacency adjacency = free_adjacency(graph, free.number_of_node, free.node.size());
+  auto order = reverse_cuthill_mckee(adjacency.row_begin, adjacency.neighbour);
+  group_by_length(adjacency.row_begin, order);
+  return assemble(graph, roles, origin, std::move(free), adjacency, order);
+}
+
+Network build_network_in_order(const Graph& graph, std::span<const NodeRole> roles, double origin,
+                               std::span<const std::int32_t> nodes) {
+  FreeNodes free(graph, roles);
+  const Adjacency adjacency = free_adjacency(graph, free.number_of_node, free.node.size());
+  std::vector<std::int32_t> order;
+  order.reserve(free.node.size());
+  for (const auto node : nodes)
+    if (free.number_of_node[at(node)] >= 0) order.push_back(free.number_of_node[at(node)]);
+  return assemble(graph, roles, origin, std::move(free), adjacency, order);
 }
 
 std::size_t Network::all_rows() const noexcept {

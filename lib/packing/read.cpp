@@ -51,43 +51,6 @@ const PackingFormat& choose_format(const PackingFile& file) {
   refuse(file);
 }
 
-/// What the user says about the box and its sides, on top of what the file says.
-void apply_box(const PackingOptions& options, const std::string& path, Packing& packing) {
-  const std::string place = options.place.empty() ? path : options.place;
-  if (options.box && packing.cell)
-    throw InputError(fmt::format("{}: {} states its box; leave out [packing] box", place, path));
-  if (options.box) {
-    packing.cell = options.box;
-    packing.cell->origin = packing.length_unit * packing.cell->origin;
-    for (auto& edge : packing.cell->edge) edge = packing.length_unit * edge;
-  }
-  if (options.periodic != "auto") {
-    const auto edges = periodic_edges(options.periodic, place);
-    if (!packing.cell && (edges[0] || edges[1] || edges[2]))
-      throw InputError(
-          fmt::format("{}: periodic is \"{}\", and {} states no box; give [packing] box = {{ min, max }}",
-                      place, options.periodic, path));
-    if (packing.cell) {
-      const std::string stated = packing.cell->periodic_axes();
-      packing.cell->periodic = edges;
-      if (const std::string now = packing.cell->periodic_axes(); stated != "none" && now != stated)
-        packing.warnings.push_back(
-            fmt::format("{}: the file says that its box is periodic along {}, the case says {}: "
-                        "contacts across the other sides are left out",
-                        path, stated, now));
-    }
-  }
-  if (!packing.cell || !packing.cell->is_periodic()) return;
-  if (!(packing.cell->volume() > 0))
-    throw InputError(
-        fmt::format("{}: the box is periodic along {} and has no volume; mend its bounds, or say periodic = "
-                    "\"none\"",
-                    path, packing.cell->periodic_axes()));
-  packing.notes.push_back(
-      fmt::format("periodic along {}: contacts reach across these sides", packing.cell->periodic_axes()));
-  for (auto& centre : packing.centre) centre = packing.cell->wrapped(centre);
-}
-
 void require_content(const std::string& path, std::string_view content) {
   if (content.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw InputError(fmt::format("{}: is empty; a packing file with content is expected", path));
@@ -142,6 +105,42 @@ double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_
   else
     packing.notes.push_back("the file states no unit of length: m");
   return claim ? claim->metres : 1.0;
+}
+
+void apply_box(const PackingOptions& options, const std::string& path, Packing& packing) {
+  const std::string place = options.place.empty() ? path : options.place;
+  if (options.box && packing.cell)
+    throw InputError(fmt::format("{}: {} states its box; leave out [packing] box", place, path));
+  if (options.box) {
+    packing.cell = options.box;
+    packing.cell->origin = packing.length_unit * packing.cell->origin;
+    for (auto& edge : packing.cell->edge) edge = packing.length_unit * edge;
+  }
+  if (options.periodic != "auto") {
+    const auto edges = periodic_edges(options.periodic, place);
+    if (!packing.cell && (edges[0] || edges[1] || edges[2]))
+      throw InputError(
+          fmt::format("{}: periodic is \"{}\", and {} states no box; give [packing] box = {{ min, max }}",
+                      place, options.periodic, path));
+    if (packing.cell) {
+      const std::string stated = packing.cell->periodic_axes();
+      packing.cell->periodic = edges;
+      if (const std::string now = packing.cell->periodic_axes(); stated != "none" && now != stated)
+        packing.warnings.push_back(
+            fmt::format("{}: the file says that its box is periodic along {}, the case says {}: "
+                        "contacts across the other sides are left out",
+                        path, stated, now));
+    }
+  }
+  if (!packing.cell || !packing.cell->is_periodic()) return;
+  if (!(packing.cell->volume() > 0))
+    throw InputError(
+        fmt::format("{}: the box is periodic along {} and has no volume; mend its bounds, or say periodic = "
+                    "\"none\"",
+                    path, packing.cell->periodic_axes()));
+  packing.notes.push_back(
+      fmt::format("periodic along {}: contacts reach across these sides", packing.cell->periodic_axes()));
+  for (auto& centre : packing.centre) centre = packing.cell->wrapped(centre);
 }
 
 Packing read_packing(const std::string& path, const PackingOptions& options) {

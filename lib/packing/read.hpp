@@ -19,6 +19,10 @@ namespace superstep {
 ///   unit [m]  length of one unit of the file, > 0
 [[nodiscard]] Packing read_packing(const std::string& path, double unit);
 
+/// What the user says about the box and its sides, on top of what the packing at `path` says: periodic edges
+/// get their images. Throws InputError.
+void apply_box(const PackingOptions& options, const std::string& path, Packing& packing);
+
 /// Name of the format that a file's content is recognised as, tables left out, which nearly everything could
 /// be; empty for none. Throws InputError for a file that cannot be read.
 [[nodiscard]] std::string recognised_format(const std::string& path);

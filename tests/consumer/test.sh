@@ -8,7 +8,8 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 cmake --install "$build" --prefix "$folder/installed" >"$folder/install.log"
-cp "$source/tests/consumer/CMakeLists.txt" "$source/tests/consumer/main.cpp" "$folder/"
+cp "$source/tests/consumer/CMakeLists.txt" "$source/tests/consumer/main.cpp" "$source/tests/consumer/host.cpp" \
+  "$folder/"
 # All headers that are installed compile there, in an order that nobody wrote.
 (cd "$folder/installed/include/superstep" && find . -name '*.hpp' | sort -R --random-source=<(yes) | sed 's|^\./\(.*\)|#include <\1>|') >"$folder/headers.cpp"
 cmake -S "$folder" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$folder/installed" >"$folder/configure.log"
@@ -21,4 +22,7 @@ paste "$folder/consumer.txt" "$folder/program.txt" | awk '
   # Six digits are what the consumer prints.
   { if (($1 - $2)^2 > 1e-10) { print "line " NR ": " $1 " and " $2 " differ"; bad = 1 } }
   END { if (NR != 102) { print NR " nodes instead of 102"; bad = 1 } exit bad }'
+for method in exponential:rtol=1e-8 rkc:rtol=1e-8; do
+  "$folder/build/host" "$source/cases/chain.toml" "$method"
+done
 echo "the consumer agrees with the program on $(wc -l <"$folder/consumer.txt") nodes"

@@ -20,9 +20,10 @@ const fs::path root = SUPERSTEP_SOURCE_DIR;
 
 // Data flows from left to right.
 const std::vector<std::string> rooms = {
-    "lib/core",      "lib/parallel", "lib/packing", "lib/contact", "lib/network", "lib/rhs",
-    "lib/dynamics",  "lib/case",     "integrators", "lib/results", "bench/host",  "bench/measure",
-    "bench/harness", "bench/output", "bench/lab",   "bench/press", "reports",     "bench/app",
+    "lib/core",    "lib/parallel",  "lib/packing",   "lib/contact",  "lib/network",
+    "lib/rhs",     "lib/dynamics",  "lib/case",      "integrators",  "lib/results",
+    "bench/host",  "bench/measure", "bench/harness", "bench/output", "bench/lab",
+    "bench/press", "reports",       "bench/app",     "lib/python",
 };
 
 std::string content_of(const fs::path& file) {

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "network/components.hpp"
+#include "network/network_in_order.hpp"
 #include "network/ordering.hpp"
 #include "network/spd_solver.hpp"
 #include "support/problem.hpp"
@@ -20,6 +21,30 @@ namespace {
 using test::chain;
 using test::plain_roles;
 using test::random_graph;
+
+TEST(Network, AnOrderThatIsKnownIsKept) {
+  const Graph graph = random_graph({.nodes = 60, .seed = 3, .fixed = 3});
+  const Network found = build_network(graph, plain_roles(graph));
+  const Network again = build_network_in_order(graph, plain_roles(graph), 0, found.node_of_row);
+  EXPECT_EQ(again.node_of_row, found.node_of_row);
+  EXPECT_EQ(again.row_begin, found.row_begin);
+  EXPECT_EQ(again.column, found.column);
+  EXPECT_EQ(again.conductance, found.conductance);
+  std::vector<std::int32_t> backwards(graph.nodes());  // those that are fixed are passed over
+  for (std::size_t k = 0; k < backwards.size(); ++k)
+    backwards[k] = static_cast<std::int32_t>(backwards.size() - 1 - k);
+  const Network other = build_network_in_order(graph, plain_roles(graph), 0, backwards);
+  ASSERT_EQ(other.size(), found.size());
+  const auto sums = found.total_conductance(), others = other.total_conductance();
+  for (std::size_t row = 0; row < other.size(); ++row) {
+    const auto node = static_cast<std::size_t>(other.node_of_row[row]);
+    EXPECT_TRUE(row == 0 || other.node_of_row[row] < other.node_of_row[row - 1]);
+    EXPECT_EQ(other.row_of_node[node], static_cast<std::int32_t>(row));
+    EXPECT_EQ(other.capacity[row], graph.capacity[node]);
+    EXPECT_NEAR(others[row], sums[static_cast<std::size_t>(found.row_of_node[node])], 1e-13 * others[row])
+        << "summed in another order";
+  }
+}
 
 TEST(Network, HoldsEveryEdgeOnceInEachDirection) {
   const Graph graph = random_graph({.nodes = 60, .seed = 3, .fixed = 3});

@@ -9,6 +9,7 @@
 
 #include "case/inputs/read_amount.hpp"
 #include "case/inputs/read_initial.hpp"
+#include "case/memory/memory_network.hpp"
 #include "case/network/node_vector.hpp"
 #include "case/read_packing_scene.hpp"
 #include "core/error.hpp"
@@ -122,9 +123,10 @@ void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, 
           .reject(fmt::format("the capacity of node {} is {}; it must be >= 0 (J/K or F)", graph.id[k],
                               graph.capacity[k]));
   read_source(network, t_end, graph);
-  if (const auto initial = network.find("initial"); initial && initial->is_string())
+  const auto initial = network.find("initial");
+  if (initial && initial->is_string())
     read_vector(network, "initial", graph.id, graph.initial);
-  else
+  else if (initial)
     graph.initial = read_initial(network, graph.id, nullptr);
   read_fixed(network, t_end, pores, graph);
 }
@@ -141,9 +143,29 @@ NetworkInput read_pores(TomlTable& network, const TomlValue& file, double t_end)
   return std::move(pores.input);
 }
 
+/// Nodes and edges of a caller; the case says what the arrays do not.
+NetworkInput take_arrays(TomlTable& network, const NetworkArrays& arrays, double t_end) {
+  for (const char* key : {"nodes", "edges", "matrix", "openpnm"})
+    if (const auto file = network.find(key))
+      file->reject("the network is in memory already; leave this key out");
+  const auto once = [&](const char* key, std::span<const double> array) {
+    if (const auto value = network.find(key); value && !array.empty())
+      value->reject("there is an array of them in memory; leave one of the two out");
+  };
+  once("capacity", arrays.capacity);
+  once("source", arrays.source);
+  once("initial", arrays.initial);
+  once("fixed", arrays.fixed);
+  NetworkInput input =
+      network_of(arrays, network.file(), matrix_kind(network), network.number("ambient").value_or(0.0));
+  read_node_keys(network, t_end, nullptr, input.graph);
+  return input;
+}
+
 }  // namespace
 
-NetworkInput read_network_files(TomlTable& network, double t_end) {
+NetworkInput read_network_files(TomlTable& network, double t_end, const NetworkArrays* arrays) {
+  if (arrays) return take_arrays(network, *arrays, t_end);
   const auto matrix = network.find("matrix"), openpnm = network.find("openpnm"),
              nodes = network.find("nodes"), edges = network.find("edges");
   const int ways = (matrix ? 1 : 0) + (openpnm ? 1 : 0) + (edges ? 1 : 0);

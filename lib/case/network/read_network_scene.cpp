@@ -103,7 +103,7 @@ Graph generate(TomlTable& network, const TomlValue& named, double t_end) {
 
 }  // namespace
 
-void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene) {
+void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene, const NetworkArrays* arrays) {
   for (const char* other :
        {"packing", "material", "materials", "interfaces", "contact", "thermal", "electric", "coupling"})
     if (const auto value = root.find(other))
@@ -115,13 +115,15 @@ void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene) {
   const FieldKind& kind = name == "potential" ? electric_kind() : thermal_kind();
   field.name = kind.name;
   field.unit = kind.unit;
-  if (const auto generator = network.find("generator")) {
+  const auto generator = network.find("generator");
+  if (generator && arrays) generator->reject("the network is in memory already; leave this key out");
+  if (generator) {
     for (const char* file : {"nodes", "edges", "matrix", "openpnm"})
       if (const auto value = network.find(file))
         value->reject("the network comes from a generator; give either files or a generator");
     field.graph = generate(network, *generator, scene.t_end);
   } else {
-    NetworkInput input = read_network_files(network, scene.t_end);
+    NetworkInput input = read_network_files(network, scene.t_end, arrays);
     field.graph = std::move(input.graph);
     scene.warnings.insert(scene.warnings.end(), input.notes.begin(), input.notes.end());
   }

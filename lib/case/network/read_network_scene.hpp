@@ -6,7 +6,11 @@
 
 namespace superstep {
 
+struct NetworkArrays;
+
 /// Adds the one field of such a scene. Throws InputError.
-void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene);
+///   arrays  nodes and edges in memory, instead of files or a generator; null = there are none
+void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene,
+                        const NetworkArrays* arrays = nullptr);
 
 }  // namespace superstep

@@ -19,10 +19,6 @@ namespace {
 constexpr std::size_t largest_case_file = 4u
                                           << 20;  // bytes; a case names its data files, it does not hold them
 
-std::string place(const std::string& file, const toml::node& node) {
-  return fmt::format("{}:{}", file, node.source().begin.line);
-}
-
 std::string shown_node(const toml::node& node) {
   if (const auto* text = node.as_string()) return quoted(text->get());
   if (node.is_table()) return "a table";
@@ -88,20 +84,24 @@ void collect(const toml::node& node, const std::string& path, std::vector<TomlTa
 struct TomlDocument {
   toml::table root;
   std::string file;
+  bool has_lines = true;  // that its user knows
   struct Asked {
     std::string path;  // "a.b[2]"
     std::set<std::string> keys;
   };
   std::map<const toml::table*, Asked> asked;
 
+  [[nodiscard]] std::string place(const toml::source_region& source) const {
+    return has_lines ? fmt::format("{}:{}", file, source.begin.line) : file;
+  }
   [[nodiscard]] std::string in(const std::string& path) const {
     return path.empty() ? "" : fmt::format(" in [{}]", path);
   }
   [[noreturn]] void reject_key(const toml::key& key, const std::string& path,
                                std::span<const std::string> valid) const {
     const std::string name(key.str());
-    throw InputError(fmt::format("{}:{}: unknown key {}{}{}", file, key.source().begin.line, quoted(name),
-                                 in(path), suggestion(name, valid)));
+    throw InputError(fmt::format("{}: unknown key {}{}{}", place(key.source()), quoted(name), in(path),
+                                 suggestion(name, valid)));
   }
 };
 
@@ -134,7 +134,7 @@ bool TomlValue::is_table() const noexcept {
 }
 
 std::string TomlValue::where() const {
-  return fmt::format("{}: key '{}'", place(node_->document->file, *node_->node), node_->path);
+  return fmt::format("{}: key '{}'", node_->document->place(node_->node->source()), node_->path);
 }
 
 std::string TomlValue::shown() const {
@@ -206,13 +206,21 @@ TomlTable TomlTable::parse_file(const std::string& path) {
 }
 
 TomlTable TomlTable::parse_text(const std::string& text, const std::string& path) {
+  return parse(text, path, true);
+}
+
+TomlTable TomlTable::parse_unseen(const std::string& text, const std::string& path) {
+  return parse(text, path, false);
+}
+
+TomlTable TomlTable::parse(const std::string& text, const std::string& path, bool has_lines) {
   if (text.size() > largest_case_file)
     throw InputError(
         fmt::format("{}: has {} bytes; a case file has at most {}: keep data in files of its own", path,
                     text.size(), largest_case_file));
   try {
-    auto document =
-        std::make_shared<TomlDocument>(TomlDocument{toml::parse(std::string_view(text), path), path, {}});
+    auto document = std::make_shared<TomlDocument>(
+        TomlDocument{toml::parse(std::string_view(text), path), path, has_lines, {}});
     const toml::table* table = &document->root;
     auto& asked = document->asked[table];
     return TomlTable(std::make_shared<Data>(Data{std::move(document), table, asked}));
@@ -296,8 +304,9 @@ void TomlTable::finish() const {
 
 std::string TomlTable::where() const {
   const auto& [path, keys] = data_->asked;
-  return path.empty() ? fmt::format("{}:1", file())
-                      : fmt::format("{}: [{}]", place(file(), *data_->table), path);
+  const auto& document = *data_->document;
+  if (path.empty()) return document.has_lines ? fmt::format("{}:1", file()) : file();
+  return fmt::format("{}: [{}]", document.place(data_->table->source()), path);
 }
 
 std::vector<TomlTable::Leaf> TomlTable::leaves() const {

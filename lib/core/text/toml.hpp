@@ -34,7 +34,7 @@ class TomlValue {
   [[nodiscard]] std::vector<std::string> strings() const;
   [[nodiscard]] TomlTable table() const;
 
-  /// "file:line: key 'a.b'", to begin an error message with.
+  /// "file:line: key 'a.b'", or "file: key 'a.b'" of an unseen text, to begin an error message with.
   [[nodiscard]] std::string where() const;
   /// The value as an error message quotes it.
   [[nodiscard]] std::string shown() const;
@@ -55,6 +55,8 @@ class TomlTable {
   /// Parses a file. Throws InputError for anything that is not TOML, too large, or nested too deeply.
   [[nodiscard]] static TomlTable parse_file(const std::string& path);
   [[nodiscard]] static TomlTable parse_text(const std::string& text, const std::string& path);
+  /// The same of a text that a program wrote and nobody sees: errors name keys, and no lines.
+  [[nodiscard]] static TomlTable parse_unseen(const std::string& text, const std::string& path);
 
   /// Value under `key`, marked as known.
   [[nodiscard]] std::optional<TomlValue> find(const std::string& key);
@@ -91,6 +93,7 @@ class TomlTable {
  private:
   friend class TomlValue;
   struct Data;
+  static TomlTable parse(const std::string& text, const std::string& path, bool has_lines);
   explicit TomlTable(std::shared_ptr<Data> data) : data_(std::move(data)) {}
   std::shared_ptr<Data> data_;
 };

@@ -16,14 +16,18 @@ using Entry = MatrixMarket::Entry;
 /// Digits that writers drop or roundings leave: entries of a symmetric matrix are as equal as this, relative.
 constexpr double rounding = 1e-12;
 
-std::string name_of(const Entry& entry) {
-  return fmt::format("({}, {})", entry.row + 1, entry.column + 1);
-}
+/// Where a matrix comes from, for messages.
+struct Origin {
+  const std::string& name;
+  bool is_file;  ///< has lines, and counts from 1
 
-[[noreturn]] void refuse(const std::string& file, const Entry& entry, const std::string& rule) {
-  throw InputError(
-      fmt::format("{}:{}: entry {} is {}; {}", file, entry.line, name_of(entry), entry.value, rule));
-}
+  [[nodiscard]] int first() const noexcept { return is_file ? 1 : 0; }
+  [[noreturn]] void refuse(const Entry& entry, const std::string& rule) const {
+    throw InputError(fmt::format("{}: entry ({}, {}) is {}; {}",
+                                 is_file ? fmt::format("{}:{}", name, entry.line) : name, entry.row + first(),
+                                 entry.column + first(), entry.value, rule));
+  }
+};
 
 /// Entries that stand for one place are summed, as the format has it for coordinates; zeros are left out.
 void sort_and_sum(std::vector<Entry>& entries) {
@@ -47,7 +51,7 @@ struct Halves {
   std::vector<double> diagonal;
 };
 
-Halves split(const std::string& file, MatrixMarket matrix) {
+Halves split(const Origin& origin, MatrixMarket matrix) {
   Halves out;
   out.diagonal.assign(matrix.rows, 0.0);
   std::vector<Entry> lower;
@@ -77,8 +81,8 @@ Halves split(const std::string& file, MatrixMarket matrix) {
                                                           std::tie(out.upper[k].row, out.upper[k].column));
     Entry odd = below ? lower[k] : out.upper[k];
     if (below) std::swap(odd.row, odd.column);
-    refuse(
-        file, odd,
+    origin.refuse(
+        odd,
         "the entry across the diagonal is another; conduction is symmetric: mend the matrix, or check how it "
         "was written");
   }
@@ -94,7 +98,7 @@ MatrixKind find_kind(const Halves& halves) {
 }
 
 /// What a row sums to flows to the surroundings.
-void add_grounds(const std::string& file, const std::vector<double>& diagonal, double ambient,
+void add_grounds(const Origin& origin, const std::vector<double>& diagonal, double ambient,
                  NetworkInput& input) {
   std::vector<double> sum = diagonal;
   for (std::size_t k = 0; k < input.graph.edges(); ++k)
@@ -108,49 +112,57 @@ void add_grounds(const std::string& file, const std::vector<double>& diagonal, d
       throw InputError(
           fmt::format("{}: row {} of the Laplacian sums to {}; its diagonal must not be smaller than what "
                       "leads to other nodes: mend the matrix, or say matrix_kind",
-                      file, row + 1, sum[row]));
+                      origin.name, row + static_cast<std::size_t>(origin.first()), sum[row]));
     input.graph.convection.push_back({static_cast<std::int32_t>(row), sum[row], ambient, -1});
     ++grounds;
   }
   if (grounds > 0)
     input.notes.push_back(
-        fmt::format("{}: {} rows sum to more than 0: these nodes exchange with surroundings at {}", file,
-                    grounds, ambient));
+        fmt::format("{}: {} rows sum to more than 0: these nodes exchange with surroundings at {}",
+                    origin.name, grounds, ambient));
+}
+
+NetworkInput network_of(const Origin& origin, MatrixMarket matrix, MatrixKind kind, double ambient) {
+  if (matrix.rows != matrix.columns)
+    throw InputError(fmt::format("{}: the matrix is {} by {}; a network's is square", origin.name,
+                                 matrix.rows, matrix.columns));
+  const std::size_t rows = matrix.rows;
+  const Halves halves = split(origin, std::move(matrix));
+  if (kind == MatrixKind::automatic) kind = find_kind(halves);
+  NetworkInput input{equal_nodes(rows), {}};
+  for (auto& id : input.graph.id) id += origin.first();
+  const double sign = kind == MatrixKind::laplacian ? -1 : 1;
+  for (const auto& entry : halves.upper) {
+    if (!(sign * entry.value > 0))
+      origin.refuse(entry, kind == MatrixKind::laplacian
+                               ? "off the diagonal a Laplacian holds -K, <= 0; is this a table of "
+                                 "conductances (matrix_kind = \"conductance\")?"
+                               : "a conductance must be >= 0; is this a Laplacian (matrix_kind = "
+                                 "\"laplacian\")?");
+    add_edge(input.graph, static_cast<std::size_t>(entry.row), static_cast<std::size_t>(entry.column),
+             sign * entry.value);
+  }
+  input.notes.push_back(fmt::format("{}: read as a {}", origin.name,
+                                    kind == MatrixKind::laplacian ? "Laplacian" : "table of conductances"));
+  if (kind == MatrixKind::laplacian) {
+    add_grounds(origin, halves.diagonal, ambient, input);
+  } else if (std::any_of(halves.diagonal.begin(), halves.diagonal.end(), [](double d) { return d != 0; })) {
+    throw InputError(fmt::format(
+        "{}: a table of conductances has no diagonal; remove it, or say matrix_kind = \"laplacian\"",
+        origin.name));
+  }
+  return input;
 }
 
 }  // namespace
 
 NetworkInput read_matrix_network(const std::string& file, MatrixKind kind, double ambient) {
-  MatrixMarket matrix = read_matrix_market(file);
-  if (matrix.rows != matrix.columns)
-    throw InputError(
-        fmt::format("{}: the matrix is {} by {}; a network's is square", file, matrix.rows, matrix.columns));
-  const std::size_t rows = matrix.rows;
-  const Halves halves = split(file, std::move(matrix));
-  if (kind == MatrixKind::automatic) kind = find_kind(halves);
-  NetworkInput input{equal_nodes(rows), {}};
-  for (auto& id : input.graph.id) ++id;
-  const double sign = kind == MatrixKind::laplacian ? -1 : 1;
-  for (const auto& entry : halves.upper) {
-    if (!(sign * entry.value > 0))
-      refuse(file, entry,
-             kind == MatrixKind::laplacian
-                 ? "off the diagonal a Laplacian holds -K, <= 0; is this a table of "
-                   "conductances (matrix_kind = \"conductance\")?"
-                 : "a conductance must be >= 0; is this a Laplacian (matrix_kind = "
-                   "\"laplacian\")?");
-    add_edge(input.graph, static_cast<std::size_t>(entry.row), static_cast<std::size_t>(entry.column),
-             sign * entry.value);
-  }
-  input.notes.push_back(fmt::format("{}: read as a {}", file,
-                                    kind == MatrixKind::laplacian ? "Laplacian" : "table of conductances"));
-  if (kind == MatrixKind::laplacian) {
-    add_grounds(file, halves.diagonal, ambient, input);
-  } else if (std::any_of(halves.diagonal.begin(), halves.diagonal.end(), [](double d) { return d != 0; })) {
-    throw InputError(fmt::format(
-        "{}: a table of conductances has no diagonal; remove it, or say matrix_kind = \"laplacian\"", file));
-  }
-  return input;
+  return network_of({file, true}, read_matrix_market(file), kind, ambient);
+}
+
+NetworkInput network_of_matrix(const std::string& name, MatrixMarket matrix, MatrixKind kind,
+                               double ambient) {
+  return network_of({name, false}, std::move(matrix), kind, ambient);
 }
 
 }  // namespace superstep

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "network/files/matrix_market.hpp"
 #include "network/graph.hpp"
 
 namespace superstep {
@@ -33,6 +34,11 @@ enum class MatrixKind { automatic, laplacian, conductance };
 ///   ambient  [K or V] of the surroundings
 /// Throws InputError.
 [[nodiscard]] NetworkInput read_matrix_network(const std::string& file, MatrixKind kind, double ambient);
+
+/// The same of a matrix that is in memory already: nodes and entries are counted from 0, and errors begin
+/// with `name`. Entries that stand for one place are summed, in any order.
+[[nodiscard]] NetworkInput network_of_matrix(const std::string& name, MatrixMarket matrix, MatrixKind kind,
+                                             double ambient);
 
 /// A pore network as OpenPNM writes it to CSV: throats join the pores `throat.conns[0]` and
 /// `throat.conns[1]`, pores are called 0, 1, ....

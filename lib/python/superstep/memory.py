@@ -1,0 +1,119 @@
+"""What a dict holds in arrays, where a case file would name other files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional
+
+import numpy as np
+
+from ._core import InputError
+
+Arrays = dict[str, Any]
+
+
+def split(case: Mapping[str, Any], name: str) -> tuple[dict[str, Any], Optional[Arrays], Optional[Arrays]]:
+    """The case without its arrays, its spheres, and its network; None where it has none of them.
+
+    Raises InputError.
+    """
+    rest = {key: dict(value) if isinstance(value, Mapping) else value for key, value in case.items()}
+    return rest, _spheres(rest, name), _network(rest, name)
+
+
+def _is_array(value: Any) -> bool:
+    """Numbers one after the other, in whatever they come; tables are none."""
+    if isinstance(value, np.ndarray):
+        return True
+    return (
+        isinstance(value, Sequence)
+        and not isinstance(value, (str, bytes))
+        and not any(isinstance(v, Mapping) for v in value)
+    )
+
+
+def _spheres(case: dict[str, Any], name: str) -> Optional[Arrays]:
+    packing = case.get("packing")
+    if not isinstance(packing, dict) or not {"centres", "radii"} & packing.keys():
+        return None
+    for key in ("centres", "radii"):
+        if key not in packing:
+            raise InputError(f"{name}: [packing] has no {key}; give centres (n, 3) and radii (n,)")
+    spheres = {key: packing.pop(key) for key in ("centres", "radii", "ids") if key in packing}
+    if "materials" in packing:
+        spheres["materials"] = [str(one) for one in packing.pop("materials")]
+    attributes = dict(packing.pop("attributes", {}))
+    for field in ("thermal", "electric"):  # values at the start are a column that nobody else has
+        table = case.get(field)
+        if isinstance(table, dict) and _is_array(table.get("initial")):
+            column = f"{field}.initial"
+            attributes[column] = table["initial"]
+            table["initial"] = {"column": column}
+    if attributes:
+        spheres["attributes"] = attributes
+    return spheres
+
+
+def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
+    network = case.get("network")
+    if not isinstance(network, dict):
+        return None
+    out: Arrays = {}
+    if "matrix" in network and not isinstance(network["matrix"], str):
+        out.update(_rows(network.pop("matrix"), name))
+    elif "edges" in network and not isinstance(network["edges"], str):
+        out["edges"] = network.pop("edges")
+        if network.get("conductance") is None:
+            raise InputError(f"{name}: [network] has edges and no conductance; give one for each edge [W/K or S]")
+        conductance = network.pop("conductance")
+        if isinstance(conductance, (int, float)):
+            conductance = np.full(len(out["edges"]), float(conductance))
+        out["conductance"] = conductance
+    arrays = {
+        key: network.pop(key) for key in ("capacity", "source", "initial", "fixed") if _is_array(network.get(key))
+    }
+    if not out:
+        if arrays:
+            raise InputError(
+                f"{name}: [network] {next(iter(arrays))} is an array, and the network is in files; "
+                "hand over matrix or edges as well"
+            )
+        return None
+    if "edges" in out:
+        out["nodes"] = _count(network, out["edges"], arrays, name)
+    return {**out, **arrays}
+
+
+def _count(network: dict[str, Any], edges: Any, arrays: Arrays, name: str) -> int:
+    """Nodes beside edges: as stated, as many as there are values, or up to the last that an edge ends at."""
+    if "nodes" in network:
+        nodes = network.pop("nodes")
+        if not isinstance(nodes, (int, np.integer)) or nodes < 0:
+            raise InputError(f"{name}: [network] nodes is {nodes!r}; beside edges in memory it is their number")
+        return int(nodes)
+    if arrays:
+        return len(next(iter(arrays.values())))
+    ends = np.asarray(edges)
+    return int(ends.max()) + 1 if ends.size and np.issubdtype(ends.dtype, np.integer) else 0
+
+
+def _rows(matrix: Any, name: str) -> Arrays:
+    """Compressed rows of a SciPy matrix, of (data, indices, indptr), or of a dense array."""
+    if isinstance(matrix, tuple):
+        if len(matrix) != 3:
+            raise InputError(f"{name}: matrix has {len(matrix)} parts; it must be (data, indices, indptr)")
+        data, indices, indptr = matrix
+        if np.size(indptr) < 1:
+            raise InputError(f"{name}: the matrix's indptr is empty; it has a number for each row and one more")
+        return {"data": data, "indices": indices, "indptr": indptr}
+    shape = tuple(matrix.shape) if hasattr(matrix, "shape") else np.shape(matrix)
+    if len(shape) != 2 or shape[0] != shape[1]:
+        raise InputError(f"{name}: the matrix has the shape {shape}; a network's is square")
+    if hasattr(matrix, "tocsr"):
+        rows = matrix.tocsr()
+        return {"data": rows.data, "indices": rows.indices, "indptr": rows.indptr}
+    dense = np.asarray(matrix)
+    row, column = np.nonzero(dense)
+    indptr = np.zeros(shape[0] + 1, dtype=np.int64)
+    np.cumsum(np.bincount(row, minlength=shape[0]), out=indptr[1:])
+    return {"data": dense[row, column], "indices": column, "indptr": indptr}
