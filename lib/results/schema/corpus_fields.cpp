@@ -77,6 +77,11 @@ const RecordFields<CorpusRow>& fields_of<CorpusRow>() {
       field("processor", &CorpusRow::processor, "that it was measured on"),
       field("revision", &CorpusRow::revision, "of the program"),
       field("key", &CorpusRow::key, "names scene, build and machine"),
+      field("physics", &CorpusRow::physics,
+            "linear, one-way, nonlinear or coupled; -steady behind it where a potential is solved for"),
+      field("pieces", &CorpusRow::pieces, "between the breakpoints of its inputs"),
+      field("shapes", &CorpusRow::shapes, "of the inputs that change in time"),
+      field("output_decades", &CorpusRow::output_decades, "between the first output and the last"),
   };
   return fields;
 }
