@@ -76,8 +76,9 @@ double rock_seconds(const Work& work, double rtol, const CostConstants& c) {
 
 /// Krylov spaces of the Jacobian, in which no steady potential is solved for; f at three states a step.
 double exprb_seconds(const Work& work, double rtol, const CostConstants& c) {
+  constexpr double first = 4;  // to find the length of the others
   const double steps =
-      c.exprb_steps * std::pow(1e4 * rtol, -c.exprb_growth) + c.exprb_piece * (work.pieces - 1);
+      first + c.exprb_steps * std::pow(1e4 * rtol, -c.exprb_growth) + c.exprb_piece * (work.pieces - 1);
   const double vectors = c.exprb_few * steps + c.exprb_vectors * std::sqrt(steps * reach(work, c));
   return vectors * (c.exprb_product * sweep_seconds(work, c) + c.exprb_vector) +
          3 * steps * f_seconds(work, c);
@@ -111,6 +112,17 @@ double part_of_tolerance(Family family) {
     default:
       return 1;
   }
+}
+
+/// Steps of exprb do not become longer beyond this: a looser one is not cheaper.
+double loosest(Family family) {
+  return family == Family::exprb ? 1e-3 : 0.5;
+}
+
+/// What a factorization fills in hangs on how a network lies in space, of which nothing is known before: of
+/// two that should cost alike the other one is taken.
+double caution(Family family) {
+  return family == Family::shift_invert ? 1.3 : 1;
 }
 
 }  // namespace
@@ -162,6 +174,10 @@ double predicted_seconds(Family family, const Work& work, double rtol, const Cos
   }
 }
 
+double cautious_seconds(Family family, const Work& work, double rtol, const CostConstants& constants) {
+  return caution(family) * predicted_seconds(family, work, rtol, constants);
+}
+
 std::vector<Candidate> candidates(const Work& work, double rtol, const CostConstants& constants) {
   std::vector<Family> families;
   switch (work.physics) {
@@ -177,8 +193,8 @@ std::vector<Candidate> candidates(const Work& work, double rtol, const CostConst
   }
   std::vector<Candidate> out;
   for (const Family family : families) {
-    const double own = std::max(1e-14, rtol * part_of_tolerance(family));
-    out.push_back({family, own, predicted_seconds(family, work, own, constants)});
+    const double own = std::clamp(rtol * part_of_tolerance(family), 1e-14, loosest(family));
+    out.push_back({family, own, cautious_seconds(family, work, own, constants)});
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });

@@ -34,6 +34,10 @@ enum class Family : char {
 [[nodiscard]] double predicted_seconds(Family family, const Work& work, double rtol,
                                        const CostConstants& constants);
 
+/// The same as it is compared with others: more where the prediction is a poor one.
+[[nodiscard]] double cautious_seconds(Family family, const Work& work, double rtol,
+                                      const CostConstants& constants);
+
 /// A family at the tolerance that keeps the error below the one that is asked for.
 struct Candidate {
   Family family = Family::rock;

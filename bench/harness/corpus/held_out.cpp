@@ -98,7 +98,7 @@ std::string constants_header(const CostConstants& constants, std::span<const std
       "constexpr CostConstants constants() {\n"
       "  CostConstants c;\n";
   for (const auto& one : cost_constants())
-    out += fmt::format("  c.{} = {:.3g};  // {}\n", one.name, constants.*one.value, one.meaning);
+    out += fmt::format("  // {}\n  c.{} = {:.3g};\n", one.meaning, one.name, constants.*one.value);
   out += "  return c;\n}\n\n}  // namespace superstep::fitted\n";
   return out;
 }

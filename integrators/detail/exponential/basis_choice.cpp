@@ -20,7 +20,7 @@ BasisChoice choose_basis(const Work& work, double rtol) {
                       Basis{"shift-invert", Family::shift_invert}};
   const CostConstants& constants = fitted_constants();
   for (auto& basis : bases)
-    basis.sweeps = predicted_seconds(basis.family, work, rtol, constants) / sweep_seconds(work, constants);
+    basis.sweeps = cautious_seconds(basis.family, work, rtol, constants) / sweep_seconds(work, constants);
   std::stable_sort(bases.begin(), bases.end(),
                    [](const Basis& a, const Basis& b) { return a.sweeps < b.sweeps; });
   std::string reason =
