@@ -41,6 +41,8 @@ std::span<const CostConstant> cost_constants() {
       CostConstant{"rock_step", &C::rock_step, "s; a step, however small"},
       CostConstant{"exprb_steps", &C::exprb_steps, "-; steps at rtol 1e-4"},
       CostConstant{"exprb_growth", &C::exprb_growth, "-; power of 1/rtol that they grow by"},
+      CostConstant{"exprb_steady_growth", &C::exprb_steady_growth,
+                   "-; the same where the Jacobian leaves out what a steady potential does"},
       CostConstant{"exprb_piece", &C::exprb_piece, "-; steps more for a breakpoint"},
       CostConstant{"exprb_vectors", &C::exprb_vectors, "-; vectors over sqrt(steps t rho)"},
       CostConstant{"exprb_few", &C::exprb_few, "-; vectors more of a step"},

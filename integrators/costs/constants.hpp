@@ -24,7 +24,8 @@ struct CostConstants {
   double rock_steps = 15, rock_growth = 0.25, rock_piece = 6, rock_interval = 0.35, rock_finish = 4;
   double rock_step = 2e-6;
 
-  double exprb_steps = 15, exprb_growth = 0.33, exprb_piece = 4, exprb_vectors = 1, exprb_few = 12;
+  double exprb_steps = 15, exprb_growth = 0.33, exprb_steady_growth = 0.5, exprb_piece = 4, exprb_vectors = 1,
+         exprb_few = 12;
   double exprb_product = 2, exprb_vector = 2e-6;
 
   double bdf_steps = 25, bdf_growth = 0.125, bdf_decades = 0.1, bdf_piece = 15;

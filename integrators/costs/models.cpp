@@ -77,8 +77,9 @@ double rock_seconds(const Work& work, double rtol, const CostConstants& c) {
 /// Krylov spaces of the Jacobian, in which no steady potential is solved for; f at three states a step.
 double exprb_seconds(const Work& work, double rtol, const CostConstants& c) {
   constexpr double first = 4;  // to find the length of the others
+  const double growth = work.steady ? c.exprb_steady_growth : c.exprb_growth;
   const double steps =
-      first + c.exprb_steps * std::pow(1e4 * rtol, -c.exprb_growth) + c.exprb_piece * (work.pieces - 1);
+      first + c.exprb_steps * std::pow(1e4 * rtol, -growth) + c.exprb_piece * (work.pieces - 1);
   const double vectors = c.exprb_few * steps + c.exprb_vectors * std::sqrt(steps * reach(work, c));
   return vectors * (c.exprb_product * sweep_seconds(work, c) + c.exprb_vector) +
          3 * steps * f_seconds(work, c);
