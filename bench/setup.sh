@@ -10,7 +10,7 @@ packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libbenchmark-dev libgtest-dev libxxhash-dev zlib1g-dev
 )
 
-# Several processes; without them the program is the same, and alone. Used by the scripts that source this one.
+# Several processes, and PETSc to compare with; without them the program is the same, and alone. Used by the scripts that source this one.
 # shellcheck disable=SC2034
 parallel_packages=(libpetsc-real-dev mpi-default-dev mpi-default-bin pkg-config)
 

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <utility>
 
+#include "integrators/detail/exponential/basis_choice.hpp"
 #include "integrators/detail/exponential/chebyshev_propagator.hpp"
 #include "integrators/detail/exponential/driven_lanczos_propagator.hpp"
-#include "integrators/detail/exponential/exponential_costs.hpp"
 #include "integrators/detail/exponential/lanczos_propagator.hpp"
 #include "integrators/detail/exponential/one_way_exponential.hpp"
 #include "integrators/detail/exponential/shift_invert_propagator.hpp"
@@ -93,9 +93,9 @@ class Exponential final : public Method {
 
  private:
   std::string choose(Rhs& rhs, const Task& task) {
-    const auto costs = exponential_costs(work_of_exponential(rhs, task, rtol_, memory_));
-    choice_ = "basis=" + costs.reason();
-    return costs.cheapest();
+    auto [basis, reason] = choose_basis(work_of(rhs, task.t_begin, task.plan->output_times, memory_), rtol_);
+    choice_ = "basis=" + reason;
+    return basis;
   }
 
   /// Lanczos and shift-and-invert keep the heat of an insulated network to their tolerance only, where the

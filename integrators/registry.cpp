@@ -3,10 +3,17 @@
 #include "core/error.hpp"
 #include "core/text/suggest.hpp"
 
+#ifdef SUPERSTEP_HAS_PETSC
+#define SUPERSTEP_PETSC(method) method(petsc)
+#else
+#define SUPERSTEP_PETSC(method)
+#endif
+
 // One line per method: its file in this folder defines `IntegratorEntry <name>_entry()`.
-#define SUPERSTEP_INTEGRATORS(method)                                                                    \
-  method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(rock) method(trapezoidal) \
-      method(esdirk) method(exponential) method(exprb) method(cvode) method(arkode) method(automatic)
+#define SUPERSTEP_INTEGRATORS(method)                                                                       \
+  method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(rock) method(trapezoidal)    \
+      method(esdirk) method(exponential) method(exprb) method(cvode) method(arkode) SUPERSTEP_PETSC(method) \
+          method(automatic)
 
 namespace superstep {
 

@@ -15,6 +15,9 @@ foreach(room IN LISTS library_rooms)
 endforeach()
 
 install(TARGETS superstep RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET superstep_mpi)  # modules lie where the program looks for them
+  install(TARGETS superstep_mpi superstep_petsc LIBRARY DESTINATION lib)
+endif()
 install(TARGETS ${exported} EXPORT superstepTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ DESTINATION include/superstep FILES_MATCHING PATTERN "*.hpp"
   PATTERN python EXCLUDE)

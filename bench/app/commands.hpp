@@ -103,6 +103,13 @@ struct CompareCommand {
   std::string a, b;
 };
 
+/// superstep fit
+struct FitCommand {
+  CommonOptions common;
+  std::vector<std::string> files;  ///< corpus.csv
+  std::string header;              ///< that constants are written to; empty = none
+};
+
 struct PackCommand {
   CommonOptions common;
   PackSettings settings;
@@ -134,8 +141,8 @@ struct ShowText {
 };
 
 using Command = std::variant<RunCommand, BenchCommand, WorkPrecisionCommand, CorpusCommand, InfoCommand,
-                             InitCommand, StabilityCommand, GateCommand, CompareCommand, PackCommand,
-                             ListCommand, ReportCommand, CompletionCommand, ShowText>;
+                             InitCommand, StabilityCommand, GateCommand, CompareCommand, FitCommand,
+                             PackCommand, ListCommand, ReportCommand, CompletionCommand, ShowText>;
 
 /// Each returns the exit code and throws `Error` for what the user has to mend.
 int execute(const RunCommand& command);
@@ -147,6 +154,7 @@ int execute(const InitCommand& command);
 int execute(const StabilityCommand& command);
 int execute(const GateCommand& command);
 int execute(const CompareCommand& command);
+int execute(const FitCommand& command);
 int execute(const PackCommand& command);
 int execute(const ListCommand& command);
 int execute(const ReportCommand& command);

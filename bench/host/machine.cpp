@@ -100,6 +100,8 @@ std::vector<Fact> library_facts() {
 void set_library_threads(int threads) {
   for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads"})
     if (auto* const set = loaded_function<void(int)>(name)) (*set)(threads);
+  // CHOLMOD's loops name a number of threads of their own; none is begun where no level of them is allowed.
+  if (auto* const set = loaded_function<void(int)>("omp_set_max_active_levels")) (*set)(threads > 1 ? 1 : 0);
 }
 
 void reset_peak_memory() {

@@ -10,10 +10,15 @@ namespace superstep {
 
 static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
 
+/// Operations an entry of the factor from which its blocks are worth their calls; the package says 40.
+/// Lattices of 650 unknowns were factorized six times as fast without, of 9680 just as fast with (1 thread).
+constexpr double supernodes_pay = 200;
+
 struct CholmodFactor::Handles {
   Handles() {
     cholmod_l_start(&common);
     common.print = 0;
+    common.supernodal_switch = supernodes_pay;
   }
   ~Handles() {
     cholmod_l_free_dense(&solution, &common);

@@ -1,8 +1,9 @@
 #include "rhs/lanczos.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace superstep {
@@ -23,14 +24,90 @@ void fill_start(std::size_t first_row, std::span<double> v) {
   }
 }
 
-/// Largest Ritz value of the tridiagonal matrix and the last component of its vector.
-std::pair<double, double> largest_ritz(const std::vector<double>& diagonal, const std::vector<double>& off) {
-  const auto k = static_cast<Eigen::Index>(diagonal.size());
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  const Eigen::Map<const Eigen::VectorXd> d(diagonal.data(), k), e(off.data(), k - 1);
-  solver.computeFromTridiagonal(d, e, Eigen::ComputeEigenvectors);
-  return {solver.eigenvalues()(k - 1), solver.eigenvectors()(k - 1, k - 1)};
-}
+/// Largest Ritz value of the tridiagonal matrix and the last component of its vector, in a few passes over
+/// it: in networks like chains, whose search takes hundreds of products, whole eigenvectors of every space
+/// cost ten times what the products do.
+///
+/// The pivots of x I - T are all > 0 exactly where x is above every eigenvalue. From there Newton's method on
+/// their product goes down to the largest one and never below it; halving what is between it and a lower
+/// bound helps it along where eigenvalues lie close.
+class LargestRitz {
+ public:
+  LargestRitz(const std::vector<double>& diagonal, const std::vector<double>& off)
+      : diagonal_(diagonal), off_(off), pivot_(diagonal.size()) {}
+
+  std::pair<double, double> find() {
+    constexpr double close = 1e-13;
+    const auto [low_end, high_end] = all_within();
+    const double enough = close * std::max(std::abs(low_end), std::abs(high_end));
+    double high = high_end;
+    double low = *std::max_element(diagonal_.begin(), diagonal_.end());
+    for (double step = high - low; step > enough && high > low;) {
+      const double slope = log_slope(high);
+      if (!(slope > 0)) break;  // closer than rounding tells
+      step = 1 / slope;
+      high -= step;
+      if (const double middle = 0.5 * (low + high); middle < high && step > enough)
+        (log_slope(middle) > 0 ? high : low) = middle;
+    }
+    high += enough;  // the pivots of the vector are those of a value above
+    (void)log_slope(high);
+    return {high, last_component(high)};
+  }
+
+ private:
+  /// Where all eigenvalues lie, by Gershgorin's circles.
+  [[nodiscard]] std::pair<double, double> all_within() const {
+    double low = diagonal_[0], high = low;
+    for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+      const double beside = (i > 0 ? off_[i - 1] : 0) + (i < off_.size() ? off_[i] : 0);
+      low = std::min(low, diagonal_[i] - beside);
+      high = std::max(high, diagonal_[i] + beside);
+    }
+    return {low, high};
+  }
+  /// Derivative of the logarithm of the characteristic polynomial; 0 where x is not above every eigenvalue.
+  double log_slope(double x) {
+    double sum = 0, pivot = 0, slope = 0;
+    for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+      const double quotient = i > 0 ? off_[i - 1] / pivot : 0;
+      slope = 1 + quotient * quotient * slope;
+      pivot = x - diagonal_[i] - (i > 0 ? off_[i - 1] * quotient : 0);
+      if (!(pivot > 0)) return 0;
+      pivot_[i] = pivot;
+      sum += slope / pivot;
+    }
+    return sum;
+  }
+  /// Of the vector of length 1 at x, by elimination from both ends to the row where the least is left, so
+  /// that a last component of 1e-30 is found, too. Source: Dhillon & Parlett (2004),
+  /// doi:10.1016/j.laa.2003.12.028.
+  [[nodiscard]] double last_component(double x) const {
+    const std::size_t n = diagonal_.size();
+    std::vector<double> upward(n);
+    std::size_t twist = n - 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = n; i-- > 0;) {
+      upward[i] = x - diagonal_[i] - (i + 1 < n ? off_[i] * off_[i] / upward[i + 1] : 0);
+      const double left = pivot_[i] + upward[i] - (x - diagonal_[i]);
+      if (left < least) least = left, twist = i;
+    }
+    double square = 1, component = 1;
+    for (std::size_t i = twist; i-- > 0;) {
+      component *= off_[i] / pivot_[i];
+      square += component * component;
+    }
+    component = 1;
+    for (std::size_t i = twist; i + 1 < n; ++i) {
+      component *= off_[i] / upward[i + 1];
+      square += component * component;
+    }
+    return component / std::sqrt(square);
+  }
+
+  const std::vector<double>&diagonal_, &off_;
+  std::vector<double> pivot_;
+};
 
 void scale(std::vector<double>& v, double factor) {
   for (double& entry : v) entry *= factor;
@@ -76,9 +153,9 @@ SpectralEstimate largest_eigenvalue(const Operator& apply, std::span<const doubl
     beta = std::sqrt(dot(w, w));
     const bool exhausted = !(beta > 1e-14 * std::abs(alpha));  // an invariant subspace: the value is exact
     if (exhausted || k == last_product || (k >= limits.fewest && k % check_every == 0)) {
-      const auto [ritz, last] = largest_ritz(diagonal, off);
+      const auto [ritz, last] = LargestRitz(diagonal, off).find();
       estimate.largest = ritz;
-      estimate.residual = exhausted ? 0 : std::abs(beta * last);
+      estimate.residual = exhausted ? 0 : beta * last;
       if (exhausted || estimate.residual <= limits.tolerance * ritz) break;
     }
     off.push_back(beta);

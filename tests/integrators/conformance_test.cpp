@@ -34,6 +34,9 @@ double exactness(const std::string& spec) {
   if (spec.starts_with("rock")) return 1e-9;
   // Explicit steps at the limit of stability: their sizes, and so the errors, hang on the last bits.
   if (spec.starts_with("arkode") && spec.find("erk") != std::string::npos) return 1e-7;
+  // PETSc solves by iterations unless told otherwise, and forms the coefficients of BDF by differences of
+  // times.
+  if (spec.starts_with("petsc")) return spec.find("linsol=lu") == std::string::npos ? 1e-7 : 1e-11;
   for (const char* iteration : {"pcg", "gmres", "fixed-point"})
     if (spec.find(iteration) != std::string::npos) return 1e-7;
   return 1e-12;

@@ -28,11 +28,12 @@ TEST(ExponentialCoefficients, ReproduceTheExponentialUpToTheirTolerance) {
     for (const double tolerance : {1e-2, 1e-6, 1e-12}) {
       const auto c = exponential_coefficients(z, tolerance);
       EXPECT_NEAR(std::accumulate(c.begin(), c.end(), 0.0), 1, 1e-12);
-      for (const double x : {-1.0, -0.3, 0.0, 0.9, 0.9999, 1.0}) {
+      for (double x = 1; x > -1;
+           x -= 0.003 + 0.01 * (1 - x)) {  // errors are largest where modes decay slowly
         double sum = 0;
         const double angle = std::acos(x);
         for (std::size_t k = 0; k < c.size(); ++k) sum += c[k] * std::cos(static_cast<double>(k) * angle);
-        EXPECT_NEAR(sum, std::exp(-z * (1 - x)), 2 * tolerance + 1e-13) << z << ' ' << tolerance << ' ' << x;
+        EXPECT_NEAR(sum, std::exp(-z * (1 - x)), tolerance + 1e-13) << z << ' ' << tolerance << ' ' << x;
       }
     }
 }

@@ -56,3 +56,8 @@ grep -q 'instructions' "$folder/said"
 expect 6 "another compiler" "$script" --program "$program" --baseline "$folder/other.json" "$case_file"
 SUPERSTEP_GATE_STRICT=0 expect 0 "another compiler, not strict" \
   "$script" --program "$program" --baseline "$folder/other.json" "$case_file"
+
+# How often the gate is wrong: here, whether its script still finds out.
+expect 0 "rates" "$source/reports/gate/rates.sh" --program "$program" --same 1 --load 1 "$case_file"
+grep -q '| unchanged | 1 | 0 |' "$folder/said"
+expect 2 "rates of nothing" "$source/reports/gate/rates.sh" --program "$program"

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "rhs/lanczos.hpp"
 #include "support/problem.hpp"
@@ -132,6 +133,29 @@ TEST(SpectralBounds, AreNeverBelowTheTrueRadius) {
     EXPECT_NEAR(estimate.largest, radius, 0.01 * radius);
     EXPECT_GE(estimate.safe(bounds.smallest()), radius * (1 - 1e-12));
   }
+}
+
+/// A chain's largest eigenvalues lie close together: the search goes on until its space is whole.
+TEST(SpectralBounds, AreFoundOnChains) {
+  constexpr std::size_t nodes = 101;  // 99 of them are free
+  Problem problem(test::chain(nodes, 0.0, 1.0));
+  const auto estimate =
+      estimate_spectral_radius(*problem.rhs, {.tolerance = 1e-12, .fewest = 20, .most = 200});
+  const double half_wave = std::sin(0.5 * std::numbers::pi * 99 / 100);
+  EXPECT_NEAR(estimate.largest, 4 * half_wave * half_wave, 1e-9);  // Ritz values err by the residual's square
+}
+
+/// One contact twelve decades stiffer than all others: nothing of its eigenvector is left in the last
+/// vectors.
+TEST(SpectralBounds, AreFoundAtOnceWhereOneContactIsStiff) {
+  Graph graph = test::chain(200, 0.0, 1.0);
+  graph.conductance[100] = 1e12;
+  Problem problem(graph);
+  const LanczosLimits limits;
+  const auto estimate = estimate_spectral_radius(*problem.rhs, limits);
+  EXPECT_EQ(estimate.products, limits.fewest);
+  EXPECT_NEAR(estimate.largest, 2e12, 4);  // two equal nodes: twice the contact, and 1 of either neighbour
+  EXPECT_LT(estimate.residual, 1);
 }
 
 TEST(SpectralBounds, ALoneNodeWithFixedNeighbours) {

@@ -13,7 +13,7 @@
 // One line per command: its file in bench/app defines `CommandEntry NAME_command()`.
 #define SUPERSTEP_COMMANDS(command)                                                                         \
   command(run) command(bench) command(info) command(init) command(stability) command(gate) command(compare) \
-      command(pack) command(report) command(completion) command(list)
+      command(fit) command(pack) command(report) command(completion) command(list)
 
 namespace superstep {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "bench/harness/harness.hpp"
@@ -15,16 +16,21 @@
 #include "core/hash.hpp"
 #include "core/median.hpp"
 #include "core/stopwatch.hpp"
+#include "integrators/costs/work.hpp"
 #include "integrators/registry.hpp"
+#include "results/corpus/corpus_cells.hpp"
 #include "results/study/work_precision.hpp"
 
 namespace superstep {
 namespace {
 
 constexpr double long_run = 0.2;  // s; the first of longer ones is a sample: warming up is no part of them
-constexpr double long_sample = 5e-3;  // s; shorter runs are repeated within a round, and the least counts
-constexpr int most_in_a_sample = 5;   // runs
-constexpr double hopeless = 2;        // times slower than another that errs no more: once is enough
+constexpr double long_sample = 5e-3;     // s; shorter runs are repeated within a round, and the least counts
+constexpr int most_in_a_sample = 5;      // runs
+constexpr double hopeless = 2;           // times slower than another that errs no more: once is enough
+constexpr double out_of_sight = 20;      // times slower than one that reaches every error: not run to its end
+constexpr double least_patience = 0.05;  // s; shorter runs are let be
+constexpr double cold_run = 0.02;        // s; shorter first runs are repeated at once
 constexpr double seconds_between_keeps = 20;
 constexpr double least_for_a_reference = 300;  // s
 constexpr double bars = 3;                     // errors below three bars of the reference are equal
@@ -47,6 +53,11 @@ class SceneSweep {
     facts_.unknowns = scene.rhs->size();
     facts_.contrast = tags.contrast;
     if (scene.rhs->size() > 0) facts_.stiffness = scene.t_end * scene.rhs->spectral_bound(0, scene.initial);
+    const Work work = work_of(*scene.rhs, 0, scene.output_times);
+    facts_.physics = std::string(physics_name(work.physics)) + (work.steady ? "-steady" : "");
+    facts_.pieces = work.pieces;
+    facts_.shapes = work.shapes;
+    facts_.output_decades = work.output_decades;
     facts_.threads = static_cast<std::uint64_t>(options.threads);
     facts_.time_limit = options.limits.seconds;
     facts_.processor = fact(machine_facts(), "processor");
@@ -57,7 +68,8 @@ class SceneSweep {
   std::vector<CorpusRow> run(std::span<const CorpusRow> known) {
     for (const auto& spec : corpus_specs(options_.integrators)) enter(spec, known);
     if (!find_reference()) return std::move(rows_);
-    for (std::size_t k = 0; k < rows_.size() && !stopped(); ++k) first_run(k);
+    for (const std::size_t k : fast_ones_first())
+      if (!stopped()) first_run(k);
     for (int round = 0; round < options_.repetitions; ++round)
       for (const std::size_t k : round_order(rows_.size(), static_cast<std::size_t>(round)))
         if (!stopped() && contends(rows_[k])) sample(k);
@@ -67,6 +79,32 @@ class SceneSweep {
 
  private:
   [[nodiscard]] bool stopped() const noexcept { return options_.stop && options_.stop->load(); }
+
+  /// What `auto` takes is seldom far from the fastest, and knowing that early spares time on hopeless ones.
+  [[nodiscard]] std::vector<std::size_t> fast_ones_first() const {
+    std::vector<std::size_t> order(rows_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::size_t k) { return rows_[k].integrator == "auto"; });
+    return order;
+  }
+
+  /// CPU time that a run may take [s], and why: one that is many times slower than another that reaches every
+  /// error that is judged has no part in any answer.
+  struct Patience {
+    double seconds = 0;
+    const CorpusRow* faster = nullptr;
+  };
+  [[nodiscard]] Patience patience() const {
+    Patience out{options_.limits.seconds, nullptr};
+    for (const auto& row : rows_) {
+      if (!row.ok() || !row.cpu || !row.error) continue;
+      const double least_error = std::max(corpus_levels().back(), bars * row.reference_error.value_or(0));
+      const double seconds = std::max(least_patience, out_of_sight * *row.cpu);
+      if (*row.error <= least_error && (!(out.seconds > 0) || seconds < out.seconds)) out = {seconds, &row};
+    }
+    return out;
+  }
 
   void enter(const std::string& spec, std::span<const CorpusRow> known) {
     const Spec parsed = parse_spec(spec);
@@ -127,8 +165,9 @@ class SceneSweep {
     return row;
   }
 
-  RunResult run_row(const CorpusRow& row, std::vector<double>* errors) {
+  RunResult run_row(const CorpusRow& row, std::vector<double>* errors, double seconds) {
     RunRequest request{.spans = reference_.spans, .stop = options_.stop, .limits = options_.limits};
+    request.limits.seconds = seconds;
     if (errors)
       request.observe = [&](std::size_t output, double, std::span<const double> state) {
         errors->push_back(error_at(output, state));
@@ -152,14 +191,15 @@ class SceneSweep {
     if (seen_[k]) return;
     if (const auto late = late_.find(group_[k]); late != late_.end()) {
       row.status = status_name(Status::timeout);
-      row.reason = fmt::format("not begun: {} was not done after {:g} s", late->second, row.time_limit);
+      row.reason = fmt::format("not begun: {} was not done in time", late->second);
       return;
     }
     progress_.begin_timed(fmt::format("{} {} of {} {}", scene_.name, k + 1, rows_.size(), row.spec));
     reset_peak_memory();
     const double before = peak_memory_megabytes();
     std::vector<double> errors;
-    const RunResult run = run_row(row, &errors);
+    const Patience patience = this->patience();
+    const RunResult run = run_row(row, &errors, patience.seconds);
     progress_.end();
     if (run.outcome.status == Status::interrupted) return;
     row.memory = std::max(0.0, peak_memory_megabytes() - before);
@@ -169,14 +209,28 @@ class SceneSweep {
     row.steps = run.statistics.steps;
     row.choice = run.choice;
     if (run.outcome.status == Status::timeout) late_.emplace(group_[k], row.spec);
+    if (run.outcome.status == Status::timeout && patience.faster)
+      row.reason =
+          fmt::format("not done after {:.2g} s of CPU time; {} reaches {:.1e} in {:.2g} s", patience.seconds,
+                      patience.faster->spec, *patience.faster->error, *patience.faster->cpu);
     if (run.outcome.ok()) {
       row.error = errors.empty() ? 0 : *std::max_element(errors.begin(), errors.end());
       row.samples = {run.cpu_prepare + run.cpu_stepping};
-      row.cpu = row.samples.front();
       row.cpu_prepare = run.cpu_prepare;
+      if (row.samples.front() < cold_run) warm_up(row);
+      row.cpu = row.samples.front();
       warming_.push_back(k);
     }
     keep_now_and_then();
+  }
+
+  /// A short first run is mostly about memory that was not there yet: again.
+  void warm_up(CorpusRow& row) {
+    const RunResult run = run_row(row, nullptr, options_.limits.seconds);
+    const double seconds = run.cpu_prepare + run.cpu_stepping;
+    if (!run.outcome.ok() || seconds > row.samples.front()) return;
+    row.samples.front() = seconds;
+    row.cpu_prepare = run.cpu_prepare;
   }
 
   /// Rounds that a row still lacks.
@@ -203,7 +257,7 @@ class SceneSweep {
     progress_.begin_timed(fmt::format("{} again {}", scene_.name, row.spec));
     double least = 0, spent = 0;
     for (int n = 0; n < most_in_a_sample && (n == 0 || spent < long_sample); ++n) {
-      const RunResult run = run_row(row, nullptr);
+      const RunResult run = run_row(row, nullptr, options_.limits.seconds);
       if (run.outcome.status == Status::interrupted) break;
       if (!run.outcome.ok()) {  // it ended once, so that this says something about the machine, too
         row.status = status_name(run.outcome.status);

@@ -28,7 +28,9 @@ std::vector<double> exponential_coefficients(double z, double tolerance, const E
     const auto k = static_cast<double>(last);
     const double growth = k * k / z;
     tail += c[last] / sum * (scale.by_rate ? growth * (scale.rate + growth / 6 * scale.turn) : 1);
-    if (tail > tolerance) break;
+    // What is dropped is missed, and the scaling of the rest, which keeps a uniform state, errs by as much
+    // again.
+    if (2 * tail > tolerance) break;
     --last;
   }
   c.resize(last + 1);

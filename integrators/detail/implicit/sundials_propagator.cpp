@@ -10,16 +10,11 @@
 #include <utility>
 
 #include "integrators/detail/implicit/shifted_solver.hpp"
+#include "integrators/detail/share_of_a_step.hpp"
 #include "integrators/probe_history.hpp"
 
 namespace superstep {
 namespace {
-
-/// Part of the tolerance that a step's local error may have. Fitted once, to the audit's scenes
-/// (tests/audit).
-double local_share(double rtol) {
-  return std::min(0.2, std::pow(rtol, 0.15));
-}
 
 const SundialsPropagator& propagator_of(void* data) {
   return *static_cast<SundialsPropagator*>(static_cast<SundialsCallbackData*>(data)->integrator);
@@ -115,7 +110,7 @@ int SundialsPropagator::derivative(double t, N_Vector y, N_Vector ydot, void* da
 
 int SundialsPropagator::weights(N_Vector y, N_Vector inverse, void* data) noexcept {
   const SundialsPropagator& method = propagator_of(data);
-  const double share = local_share(method.rtol_);
+  const double share = share_of_a_step(method.rtol_);
   const auto values = sundials::entries(y), out = sundials::entries(inverse);
   constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();  // below them no step would pass
   for (std::size_t i = 0; i < out.size(); ++i) {

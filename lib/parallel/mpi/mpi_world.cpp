@@ -1,4 +1,4 @@
-/// The only file with MPI and PETSc. It is a module of its own, loaded where a launcher started the program.
+/// The only file with MPI. It is a module of its own, loaded where a launcher started the program.
 
 #include <mpi.h>
 #include <petscsf.h>

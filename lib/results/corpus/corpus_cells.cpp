@@ -87,11 +87,13 @@ std::vector<CorpusCell> corpus_cells(std::span<const SceneRows> scenes) {
   return out;
 }
 
-bool Regret::within(double limit) const {
+bool close_to_best(double cpu, double best, double factor) noexcept {
   constexpr double short_run = 5e-3, excess = 2e-3;  // s
-  if (!best) return true;
-  if (*best->cpu < short_run) return *row->cpu - *best->cpu <= excess || ratio <= limit;
-  return ratio <= limit;
+  return cpu <= factor * best || (best < short_run && cpu - best <= excess);
+}
+
+bool Regret::within(double limit) const {
+  return !best || close_to_best(*row->cpu, *best->cpu, limit);
 }
 
 std::vector<Regret> regrets_of(std::span<const SceneRows> scenes) {

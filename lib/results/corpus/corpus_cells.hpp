@@ -63,6 +63,9 @@ template <class Eligible>
 /// Cells of every scene and level.
 [[nodiscard]] std::vector<CorpusCell> corpus_cells(std::span<const SceneRows> scenes);
 
+/// Within a factor of the best [s], or within 2 ms of it where it takes less than 5 ms.
+[[nodiscard]] bool close_to_best(double cpu, double best, double factor) noexcept;
+
 /// `auto` at one of its tolerances.
 struct Regret {
   const CorpusRow *row = nullptr, *best = nullptr;  ///< null: nobody else met the tolerance

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/error.hpp"
 #include "core/text/number.hpp"
 #include "core/text/options.hpp"
@@ -44,6 +47,28 @@ RecordField<CorpusRow> samples_field() {
       }};
 }
 
+RecordField<CorpusRow> physics_field() {
+  auto out =
+      field("physics", &CorpusRow::physics,
+            "linear, one-way, nonlinear or coupled; -steady behind it where a potential is solved for");
+  out.read = [](CorpusRow& row, const JsonObject& json) {
+    static constexpr std::array known = {"",
+                                         "linear",
+                                         "one-way",
+                                         "nonlinear",
+                                         "coupled",
+                                         "linear-steady",
+                                         "one-way-steady",
+                                         "nonlinear-steady",
+                                         "coupled-steady"};
+    row.physics = json.text("physics");
+    if (std::find(known.begin(), known.end(), row.physics) == known.end())
+      json.reject("physics",
+                  "it must be linear, one-way, nonlinear or coupled, or one of these with -steady");
+  };
+  return out;
+}
+
 }  // namespace
 
 template <>
@@ -77,6 +102,10 @@ const RecordFields<CorpusRow>& fields_of<CorpusRow>() {
       field("processor", &CorpusRow::processor, "that it was measured on"),
       field("revision", &CorpusRow::revision, "of the program"),
       field("key", &CorpusRow::key, "names scene, build and machine"),
+      physics_field(),
+      field("pieces", &CorpusRow::pieces, "between the breakpoints of its inputs"),
+      field("shapes", &CorpusRow::shapes, "of the inputs that change in time"),
+      field("output_decades", &CorpusRow::output_decades, "between the first output and the last"),
   };
   return fields;
 }

@@ -1,0 +1,53 @@
+#include "integrators/costs/work.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "rhs/nonlinear_rhs.hpp"
+#include "rhs/one_way.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr std::array physics_names = {"linear", "one-way", "nonlinear", "coupled"};
+
+Physics physics_in(Rhs& rhs) {
+  if (rhs.traits().linear) return Physics::linear;
+  if (exactly_solvable(rhs)) return Physics::one_way;
+  return rhs.fields().size() > 1 ? Physics::coupled : Physics::nonlinear;
+}
+
+}  // namespace
+
+const char* physics_name(Physics physics) noexcept {
+  return physics_names[static_cast<std::size_t>(physics)];
+}
+
+Physics physics_of(const std::string& name) {
+  const auto found = std::find(physics_names.begin(), physics_names.end(), name);
+  if (found == physics_names.end()) throw std::out_of_range(name);
+  return static_cast<Physics>(found - physics_names.begin());
+}
+
+Work work_of(Rhs& rhs, double t_begin, std::span<const double> output_times, double memory) {
+  const std::vector<double> zero(rhs.size(), 0.0);
+  const double end = output_times.empty() ? t_begin : output_times.back(), time = end - t_begin;
+  const auto first = std::upper_bound(output_times.begin(), output_times.end(), t_begin);
+  const double shortest = first == output_times.end() ? time : *first - t_begin;
+  const auto& points = rhs.facts().breakpoints;
+  const auto within = [&](const Breakpoint& point) { return point.t > t_begin && point.t < end; };
+  const auto* nonlinear = dynamic_cast<const NonlinearRhs*>(&rhs);
+  return {.physics = physics_in(rhs),
+          .steady = nonlinear && nonlinear->solves_for_potential(),
+          .unknowns = static_cast<double>(rhs.reduction().total()),
+          .t_rho = time * rhs.spectral_bound(t_begin, zero),
+          .pieces = 1 + static_cast<double>(std::count_if(points.begin(), points.end(), within)),
+          .shapes = rhs.traits().linear ? static_cast<double>(rhs.input_shapes().size()) : 0,
+          .output_decades = shortest > 0 && time > shortest ? std::log10(time / shortest) : 0,
+          .memory = memory};
+}
+
+}  // namespace superstep
