@@ -34,11 +34,16 @@ double chebyshev_seconds(const Work& work, double rtol, const CostConstants& c) 
   return terms * f_seconds(work, c) * (work.physics == Physics::linear ? 1 : c.chebyshev_one_way);
 }
 
-double lanczos_seconds(const Work& work, double rtol, const CostConstants& c) {
+/// Of one space.
+double lanczos_vectors(const Work& work, double rtol, const CostConstants& c) {
   constexpr double few = 8;
   const double wanted =
       std::sqrt(work.t_rho) * (c.lanczos_vectors + c.lanczos_digit * std::log(1 / rtol)) + few;
-  const double vectors = std::min(wanted, work.unknowns + 1);  // then the space is whole
+  return std::min(wanted, work.unknowns + 1);  // then the space is whole
+}
+
+double lanczos_seconds(const Work& work, double rtol, const CostConstants& c) {
+  const double vectors = lanczos_vectors(work, rtol, c);
   const auto storage = LanczosSpace::storage_for(rtol / (1 + work.shapes));
   const double room = work.memory / (static_cast<double>(storage) * std::max(1.0, work.unknowns));
   constexpr double fewest = 40;  // a basis begun anew after fewer is no better than an expansion
@@ -177,6 +182,10 @@ double predicted_seconds(Family family, const Work& work, double rtol, const Cos
     default:
       return bdf_seconds(family, work, rtol, constants);
   }
+}
+
+double predicted_products(const Work& work, double rtol, const CostConstants& constants) {
+  return (1 + work.shapes) * lanczos_vectors(work, rtol, constants);
 }
 
 double cautious_seconds(Family family, const Work& work, double rtol, const CostConstants& constants) {

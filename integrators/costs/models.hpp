@@ -34,7 +34,10 @@ enum class Family : char {
 [[nodiscard]] double predicted_seconds(Family family, const Work& work, double rtol,
                                        const CostConstants& constants);
 
-/// The same as it is compared with others: more where the prediction is a poor one.
+/// Products that Lanczos takes, over all its spaces: what counters say beside times.
+[[nodiscard]] double predicted_products(const Work& work, double rtol, const CostConstants& constants);
+
+/// CPU time as it is compared with that of others: more where the prediction is a poor one.
 [[nodiscard]] double cautious_seconds(Family family, const Work& work, double rtol,
                                       const CostConstants& constants);
 

@@ -33,13 +33,25 @@ std::optional<Family> family_of_row(const CorpusRow& row, Physics physics, doubl
   return std::nullopt;
 }
 
-/// log(predicted / measured), over all points.
+/// Where a run takes less than 2 ms nobody minds which method it was: such points count less.
+double importance(const CostPoint& point) {
+  constexpr double minded = 2e-3;
+  return std::clamp(std::sqrt(point.seconds / minded), 0.2, 1.0);
+}
+
+/// log(predicted / measured), over all points, each by its importance: times, and then what Lanczos counts,
+/// without which many vectors that cost little could stand for few that cost much.
 Eigen::VectorXd residuals(std::span<const CostPoint> points, const CostConstants& constants) {
-  Eigen::VectorXd out(static_cast<Eigen::Index>(points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto& p = points[k];
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(2 * n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto& p = points[static_cast<std::size_t>(k)];
     const double predicted = predicted_seconds(p.family, p.work, p.rtol, constants);
-    out[static_cast<Eigen::Index>(k)] = std::isfinite(predicted) ? std::log(predicted / p.seconds) : 0;
+    if (!std::isfinite(predicted)) continue;
+    out[k] = importance(p) * std::log(predicted / p.seconds);
+    if (p.family == Family::lanczos && p.row->sweeps > 0)
+      out[n + k] = importance(p) * std::log(predicted_products(p.work, p.rtol, constants) /
+                                            static_cast<double>(p.row->sweeps));
   }
   return out;
 }

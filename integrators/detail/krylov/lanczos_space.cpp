@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t stretch_of_entries = 1024;  // stays in the first cache while vectors are added up
 // Bound over estimate at most: in uneven networks the recurrence looks regular long before it is, and
 // estimates were seen that were ten times too small where the bound was two hundred times too large.
-constexpr double most_trusted = 60;
+constexpr double most_trusted = 15;
 
 }  // namespace
 
