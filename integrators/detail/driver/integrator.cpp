@@ -1,5 +1,3 @@
-#include "integrators/driver.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "integrators/detail/driver/driver.hpp"
+#include "integrators/driver.hpp"
 
 namespace superstep {
 namespace {
