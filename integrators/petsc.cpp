@@ -2,18 +2,18 @@
 /// side, with an assembled Jacobian and with PETSc's own linear solvers. There where PETSc was found.
 /// Source: Abhyankar et al. (2018), arXiv:1806.01437.
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/shared_library.hpp"
 #include "integrators/detail/error_norm.hpp"
+#include "integrators/detail/gauss_points.hpp"
 #include "integrators/detail/implicit/kept_jacobian.hpp"
 #include "integrators/detail/petsc/ts_run.hpp"
 #include "integrators/detail/share_of_a_step.hpp"
@@ -24,29 +24,17 @@ namespace superstep {
 namespace {
 
 struct Loaded {
-  petsc::MakeRun make_run = nullptr;
+  petsc::MakeRun* make_run = nullptr;
   std::string why_not;
 };
 
-/// The module, beside the program or where it is installed.
 Loaded load_petsc() {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  std::string why;
-  for (const fs::path& place : {folder, folder / "../lib", folder / "../lib64"}) {
-    // For all to see: MPI's own modules want its symbols.
-    void* module = ::dlopen((place / petsc::module_file).c_str(), RTLD_NOW | RTLD_GLOBAL);
-    if (!module) {
-      if (why.empty()) why = ::dlerror();
-      continue;
-    }
-    const auto initialize = reinterpret_cast<petsc::Initialize>(::dlsym(module, petsc::initialize_name));
-    const auto make_run = reinterpret_cast<petsc::MakeRun>(::dlsym(module, petsc::make_run_name));
-    if (initialize && make_run && initialize()) return {make_run, ""};
-    why = "it does not start";
-  }
-  return {nullptr, why};
+  const LoadedModule module(petsc::module_file);
+  auto* const initialize = module.function<petsc::Initialize>(petsc::initialize_name);
+  auto* const make_run = module.function<petsc::MakeRun>(petsc::make_run_name);
+  if (!initialize || !make_run) return {nullptr, module.why_not()};
+  if (!(*initialize)()) return {nullptr, "it does not start"};
+  return {make_run, ""};
 }
 
 /// Loaded and initialised once, where the first method is made: that is no part of any run's preparation.
@@ -128,6 +116,7 @@ class PetscTimeStepping final : public Propagator, private petsc::Problem {
   double t_ = 0;
   std::vector<double> state_, slope_;           // at t_
   std::vector<double> earlier_, before_slope_;  // at the step's start, where somebody wants to look into it
+  std::vector<double> between_, taylor_;        // room for states within the step, and for probes
   double step_ = 0;                             // s, the last one, of which nobody was told yet; 0 = none
 };
 
@@ -175,6 +164,8 @@ void PetscTimeStepping::prepare(Rhs& rhs, const Task& task) {
   const bool looked_into = plan_->track_inflow || !plan_->probes.empty();
   earlier_.resize(looked_into ? rhs.size() : 0);
   before_slope_.resize(earlier_.size());
+  between_.resize(plan_->track_inflow ? rhs.size() : 0);
+  taylor_.resize(4 * plan_->probes.size());
 }
 
 /// Iterations where nothing is said: they were faster than both factorizations from a hundred unknowns on.
@@ -273,30 +264,27 @@ Outcome PetscTimeStepping::advance(std::size_t k) {
 void PetscTimeStepping::keep_slopes(double begin) {
   (*rhs_)(t_, state_, slope_);
   if (!plan_->track_inflow) return;
-  static constexpr double node = 0.7745966692414834;  // sqrt(3/5): Gauss-Legendre, exact to degree 5
-  std::vector<double> between(state_.size());
-  for (const auto& [position, weight] : {std::pair{-node, 5.0 / 9}, {0.0, 8.0 / 9}, {node, 5.0 / 9}}) {
-    const double x = 0.5 * (1 + position), z = 1 - x;
-    for (std::size_t i = 0; i < between.size(); ++i)
-      between[i] = z * z * (1 + 2 * x) * earlier_[i] + x * x * (3 - 2 * x) * state_[i] +
-                   step_ * x * z * (z * before_slope_[i] - x * slope_[i]);
-    inflow_ += weight * step_ / 2 * rhs_->inflow(begin + x * step_, between);
-  }
+  inflow_ += gauss_integral(begin, t_, [this, begin](double t) {
+    const double x = (t - begin) / step_, z = 1 - x;
+    for (std::size_t i = 0; i < between_.size(); ++i)
+      between_[i] = z * z * (1 + 2 * x) * earlier_[i] + x * x * (3 - 2 * x) * state_[i] +
+                    step_ * x * z * (z * before_slope_[i] - x * slope_[i]);
+    return rhs_->inflow(t, between_);
+  });
 }
 
 void PetscTimeStepping::record(ProbeHistory& history) {
   if (!(step_ > 0)) return;
   const auto& probes = plan_->probes;
-  std::vector<double> taylor(4 * probes.size());
   for (std::size_t p = 0; p < probes.size(); ++p) {
     const std::size_t i = probes[p];
     const double change = (state_[i] - earlier_[i]) / step_, first = before_slope_[i], last = slope_[i];
-    taylor[p] = state_[i];
-    taylor[probes.size() + p] = last;
-    taylor[2 * probes.size() + p] = (first + 2 * last - 3 * change) / step_;
-    taylor[3 * probes.size() + p] = (first + last - 2 * change) / (step_ * step_);
+    taylor_[p] = state_[i];
+    taylor_[probes.size() + p] = last;
+    taylor_[2 * probes.size() + p] = (first + 2 * last - 3 * change) / step_;
+    taylor_[3 * probes.size() + p] = (first + last - 2 * change) / (step_ * step_);
   }
-  history.append(t_, std::span<const double>(taylor), 3);
+  history.append(t_, std::span<const double>(taylor_), 3);
 }
 
 void PetscTimeStepping::add_counts(Statistics& statistics) const {

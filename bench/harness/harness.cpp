@@ -15,6 +15,7 @@
 #include "bench/measure/run_one.hpp"
 #include "bench/measure/sampled_errors.hpp"
 #include "bench/measure/scene_facts.hpp"
+#include "core/shared_library.hpp"
 #include "core/stopwatch.hpp"
 
 namespace superstep {

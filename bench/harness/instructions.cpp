@@ -90,11 +90,6 @@ std::string counter_facts() {
   return version;
 }
 
-std::string program_file() {
-  std::error_code none;
-  return fs::read_symlink("/proc/self/exe", none).string();
-}
-
 InstructionCount count_instructions(const std::string& program, const std::string& case_file,
                                     const std::string& spec) {
   const ScratchFolder folder;

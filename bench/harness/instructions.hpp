@@ -16,9 +16,6 @@ namespace superstep {
 /// left without AVX-512. Empty where Valgrind is not installed.
 [[nodiscard]] std::string counter_facts();
 
-/// Path of this program.
-[[nodiscard]] std::string program_file();
-
 /// Result of one count.
 struct InstructionCount {
   std::optional<std::uint64_t> instructions;

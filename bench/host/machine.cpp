@@ -1,7 +1,6 @@
 #include "bench/host/machine.hpp"
 
 #include <cholmod.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <klu.h>
 #include <link.h>
@@ -15,6 +14,7 @@
 #include <thread>
 
 #include "build_info.hpp"
+#include "core/shared_library.hpp"
 #include "rhs/kernels/sweep.hpp"
 
 namespace superstep {
@@ -31,12 +31,6 @@ std::string kernel() {
   utsname name{};
   if (uname(&name) != 0) return "unknown";
   return fmt::format("{} {} {}", name.sysname, name.release, name.machine);
-}
-
-// A function of a library that may or may not be loaded.
-template <class Function>
-Function* loaded_function(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
 
 // File names of the loaded libraries, symbolic links followed: Debian's libblas.so.3 is a link to one of

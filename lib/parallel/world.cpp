@@ -1,13 +1,12 @@
 /// The one place that knows how a program becomes one of several: the module with MPI is loaded at run time.
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/shared_library.hpp"
 #include "parallel/communicator.hpp"
 #include "parallel/stay_alone.hpp"
 
@@ -45,33 +44,17 @@ int started_processes() {
   return 1;
 }
 
-/// Beside the program, or where it is installed.
-void* load_module() {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path folder = program.parent_path();
-  for (const fs::path& place : {folder, folder / "../lib", folder / "../lib64"})
-    // For all to see: MPI's own modules want its symbols.
-    if (void* module = ::dlopen((place / "libsuperstep_mpi.so").c_str(), RTLD_NOW | RTLD_GLOBAL))
-      return module;
-  return nullptr;
-}
-
 std::unique_ptr<Communicator> make_world() {
   const int processes = started_processes();
   if (processes == 1) return std::make_unique<Serial>();
-  void* module = load_module();
-  using Make = Communicator* (*)();
-  const auto make = module ? reinterpret_cast<Make>(::dlsym(module, "superstep_make_world")) : nullptr;
-  if (!make) {
-    const char* why = ::dlerror();
+  const LoadedModule module("libsuperstep_mpi.so");
+  auto* const make = module.function<Communicator*()>("superstep_make_world");
+  if (!make)
     throw UsageError(
         fmt::format("it was started {} times by a launcher of parallel programs but has no MPI to share the "
                     "work with ({}); "
                     "start it once, or build it where PETSc and MPI are installed (libpetsc-real-dev)",
-                    processes, why ? why : "not built"));
-  }
+                    processes, module.why_not()));
   return std::unique_ptr<Communicator>(make());
 }
 

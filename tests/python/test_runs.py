@@ -34,6 +34,11 @@ class Answers(unittest.TestCase):
                 exact = weight * (vector @ (np.exp(-eigenvalue * t) * (vector.T @ (scene.y0 / weight))))
                 self.assertLess(np.sqrt(np.mean((y - exact) ** 2)), 1e-6 * 100, method)  # rtol times the span
 
+    def test_a_module_that_a_method_loads_is_found_from_python(self):
+        if "petsc" not in [method.name for method in superstep.methods()]:
+            self.skipTest("built without PETSc")
+        self.assertGreater(integrate(network(), "petsc:rtol=1e-4").statistics["steps"], 0)
+
     def test_rtol_and_the_spec_say_the_same(self):
         one, other = integrate(network(), "rkc", rtol=1e-5), integrate(network(), "rkc:rtol=1e-5")
         np.testing.assert_array_equal(one.states, other.states)

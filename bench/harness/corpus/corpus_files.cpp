@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/error.hpp"
+#include "core/shared_library.hpp"
 #include "core/text/text_file.hpp"
 
 namespace superstep {
@@ -29,7 +30,7 @@ std::string corpus_folder() {
   const fs::path below = fs::path("cases") / "corpus";
   std::error_code none;
   if (fs::is_directory(below, none)) return below.string();
-  const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
+  const fs::path program = fs::path(program_file()).parent_path();
   if (const fs::path installed = program.parent_path() / "share" / "superstep" / below;
       fs::is_directory(installed, none))
     return installed.string();

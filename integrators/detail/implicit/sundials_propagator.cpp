@@ -9,6 +9,7 @@
 #include <new>
 #include <utility>
 
+#include "integrators/detail/gauss_points.hpp"
 #include "integrators/detail/implicit/shifted_solver.hpp"
 #include "integrators/detail/share_of_a_step.hpp"
 #include "integrators/probe_history.hpp"
@@ -80,13 +81,9 @@ Outcome SundialsPropagator::failure(const char* package, double t, int flag) con
 }
 
 void SundialsPropagator::add_inflow(double begin, double end) {
-  static constexpr double node = 0.7745966692414834;  // sqrt(3/5): Gauss-Legendre, exact to degree 5
-  const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
-  for (const auto& [position, weight] : {std::pair{-node, 5.0 / 9}, {0.0, 8.0 / 9}, {node, 5.0 / 9}}) {
-    const double t = middle + position * half;
-    if (differentiate(t, 0))
-      counts_.inflow += weight * half * rhs_->inflow(t, sundials::entries(derivative_.get()));
-  }
+  counts_.inflow += gauss_integral(begin, end, [this](double t) {
+    return differentiate(t, 0) ? rhs_->inflow(t, sundials::entries(derivative_.get())) : 0.0;
+  });
 }
 
 void SundialsPropagator::record_taylor(double t, int order, ProbeHistory& history) {

@@ -52,8 +52,8 @@ class Run {
 /// Names of the module and of the function in it that makes a run; that one throws std::runtime_error.
 inline constexpr const char* module_file = "libsuperstep_petsc.so";
 inline constexpr const char* make_run_name = "superstep_make_petsc_run";
-using MakeRun = Run* (*)(const Setup& setup, Problem& problem);
+using MakeRun = Run*(const Setup& setup, Problem& problem);
 inline constexpr const char* initialize_name = "superstep_initialize_petsc";
-using Initialize = bool (*)();
+using Initialize = bool();
 
 }  // namespace superstep::petsc
