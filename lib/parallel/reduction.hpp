@@ -9,6 +9,7 @@
 
 #include "core/parallel.hpp"
 #include "parallel/communicator.hpp"
+#include "parallel/lane_sum.hpp"
 
 namespace superstep {
 
@@ -74,17 +75,14 @@ class Reduction {
   [[nodiscard]] double sum(const ExactSum& here) const { return among_ ? among_->sum(here) : here.value(); }
 
  private:
-  // Eight running sums let the compiler use vector registers without changing the order from run to run.
   template <class Term>
   [[nodiscard]] double sum_chunk(std::size_t begin, std::size_t end, const Term& term) const {
-    constexpr std::size_t lanes = 8;
-    std::array<double, lanes> partial{};
+    std::array<double, sum_lanes> partial{};
     std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes)
-      for (std::size_t lane = 0; lane < lanes; ++lane) partial[lane] += term(i + lane);
+    for (; i + sum_lanes <= end; i += sum_lanes)
+      for (std::size_t lane = 0; lane < sum_lanes; ++lane) partial[lane] += term(i + lane);
     for (std::size_t lane = 0; i < end; ++i, ++lane) partial[lane] += term(i);
-    return ((partial[0] + partial[4]) + (partial[2] + partial[6])) +
-           ((partial[1] + partial[5]) + (partial[3] + partial[7]));
+    return sum_of_lanes(partial);
   }
 
   [[nodiscard]] double sum_of_chunks() const {

@@ -124,8 +124,12 @@ TEST(Exponential, LanczosBeginsAnewWhereItsMemoryEnds) {
     EXPECT_LT(test::rms_difference(several.states[k], expected.states[k]), 1e-8);
   }
   EXPECT_NEAR(several.statistics.inflow, one.statistics.inflow, 1e-6 * std::abs(one.statistics.inflow));
+  // 1 MiB holds six of these vectors, and twice as many in single precision.
   Problem too_large(test::chain(20'000, 0.0, 1.0));
-  EXPECT_THROW(run("exponential:basis=lanczos,memory=1", too_large, {1}), Refused);
+  EXPECT_THROW(run("exponential:basis=lanczos,rtol=1e-6,memory=1", too_large, {1}), Refused);
+  const auto held = run("exponential:basis=lanczos,rtol=1e-3,memory=1", too_large, {1});
+  EXPECT_TRUE(held.outcome.ok()) << held.outcome.reason;
+  EXPECT_LE(held.statistics.max_stages, 13);
 }
 
 /// Instants five decades apart take several poles, twenty of them several batches.
@@ -151,7 +155,7 @@ TEST(Exponential, ChoosesItsBasisAndSaysWhich) {
   };
   Problem mild(random_graph({.nodes = 4000, .seed = 3})),
       stiff(random_graph({.nodes = 300, .seed = 3, .contrast = 1e11}));
-  EXPECT_TRUE(choice(mild, "exponential:rtol=1e-6", 0.3).starts_with("basis=lanczos"));
+  EXPECT_TRUE(choice(mild, "exponential:rtol=1e-6", 3).starts_with("basis=lanczos"));
   EXPECT_TRUE(choice(stiff, "exponential:rtol=1e-6", 10).starts_with("basis=shift-invert"));
   EXPECT_TRUE(choice(mild, "exponential:rtol=1e-15", 3).starts_with("basis=chebyshev"));  // rounding
   EXPECT_EQ(choice(mild, "exponential:basis=chebyshev", 3), "");

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "integrators/detail/krylov/arnoldi_kernels.hpp"
 #include "integrators/detail/krylov/lanczos_kernels.hpp"
+#include "integrators/detail/krylov/lanczos_space.hpp"
+#include "support/problem.hpp"
 
 namespace superstep {
 namespace {
@@ -104,6 +107,37 @@ TEST(ArnoldiKernels, AddAndProject) {
         }
         EXPECT_NEAR(projected, expected, 1e-13) << kernel.name;  // roundings of a sum of size 40
       }
+}
+
+/// Sums of vectors that are kept in single precision are off by their roundings, and by no more.
+TEST(LanczosSpace, SinglePrecisionRoundsWhatIsKeptAndNothingElse) {
+  test::Problem problem(test::random_graph({.nodes = 200, .seed = 7, .contrast = 1e4, .fixed = 2}));
+  Rhs& rhs = *problem.rhs;
+  const std::size_t n = rhs.size();
+  constexpr std::size_t vectors = 30;
+  std::vector<double> sums[2], off[2];
+  double rounding = 0;
+  for (const auto storage : {LanczosSpace::Storage::single, LanczosSpace::Storage::full}) {
+    LanczosSpace::Recent recent;
+    LanczosSpace space(rhs, storage, recent);
+    space.open(1.0, false, [&](std::span<double> start) { rhs(0, problem.initial, start); });
+    ASSERT_EQ(space.grow(1.0, 0.0, 1.0, {}, vectors, nullptr), LanczosSpace::Growth::full);
+    const bool single = storage == LanczosSpace::Storage::single;
+    auto& sum = sums[single ? 0 : 1];
+    sum.assign(n, 0.0);
+    const std::vector<double> ones(vectors, 1.0);
+    const std::span<double> states[] = {sum};
+    space.add_to(states, {ones});
+    EXPECT_NEAR(space.entry(3, ones), sum[3], 1e-14 * std::sqrt(vectors) * std::abs(sum[3]) + 1e-14);
+    off[single ? 0 : 1].assign(space.alpha().begin(), space.alpha().end());
+    if (single) rounding = space.rounding();
+  }
+  EXPECT_EQ(off[0], off[1]) << "the recurrence runs in double precision";
+  double square = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    square += rhs.capacities()[i] * (sums[0][i] - sums[1][i]) * (sums[0][i] - sums[1][i]);
+  EXPECT_LE(std::sqrt(square), rounding * vectors);  // each has length 1
+  EXPECT_GE(std::sqrt(square), 0.01 * rounding * std::sqrt(vectors)) << "it is not single precision at all";
 }
 
 }  // namespace

@@ -5,30 +5,27 @@
 namespace superstep {
 namespace {
 
-/// w += factor(i) * v; returns the sum of w * with. factor(i, out) loads a register of factors.
+/// w += factor(i) * v; returns the sum of w * with.
 template <std::size_t width, class Factor>
 SUPERSTEP_INLINE double add_and_project(double* w, const Factor& factor, const double* v, const double* with,
                                         std::size_t first, std::size_t last) {
-  Lanes<width> sums{};
-  std::size_t i = first;
-  for (; i + lanes <= last; i += lanes)
-    for (std::size_t p = 0; p < sums.size(); ++p) {
-      const std::size_t at = i + p * width;
-      typename Vector<width>::type sum, value, f, other;
-      load<width>(w + at, sum);
-      load<width>(v + at, value);
-      factor.template get<width>(at, f);
-      sum += f * value;
-      store<width>(sum, w + at);
-      load<width>(with + at, other);  // what was just stored, where it is w
-      sums[p] += sum * other;
-    }
-  std::array<double, lanes> rest{};
-  for (std::size_t lane = 0; i < last; ++i, ++lane) {
-    w[i] += factor.one(i) * v[i];
-    rest[lane] = w[i] * with[i];
-  }
-  return total<width>(sums, rest);
+  using Pack = typename Vector<width>::type;
+  return sum_in_lanes<width>(
+      first, last,
+      [&](std::size_t i, Pack & sum) __attribute__((always_inline)) {
+        Pack now, value, f, other;
+        load<width>(w + i, now);
+        load<width>(v + i, value);
+        factor.template get<width>(i, f);
+        now += f * value;
+        store<width>(now, w + i);
+        load<width>(with + i, other);  // what was just stored, where it is w
+        sum += now * other;
+      },
+      [&](std::size_t i) __attribute__((always_inline)) {
+        w[i] += factor.one(i) * v[i];
+        return w[i] * with[i];
+      });
 }
 
 struct SameFactor {

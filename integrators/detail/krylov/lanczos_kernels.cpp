@@ -8,45 +8,41 @@ namespace {
 template <std::size_t width, class Kept>
 SUPERSTEP_INLINE double keep_and_project(const LanczosPass& pass, double unit, Kept* kept, std::size_t first,
                                          std::size_t last) {
-  Lanes<width> sums{};
-  std::size_t i = first;
-  for (; i + lanes <= last; i += lanes)
-    for (std::size_t p = 0; p < sums.size(); ++p) {
-      typename Vector<width>::type w, v, c;
-      load<width>(pass.next + i + p * width, w);
-      load<width>(pass.now + i + p * width, v);
-      load<width>(pass.capacity + i + p * width, c);
-      store<width>(unit * v, kept + i + p * width);
-      sums[p] += c * w * v;
-    }
-  std::array<double, lanes> rest{};
-  for (std::size_t lane = 0; i < last; ++i, ++lane) {
-    kept[i] = static_cast<Kept>(unit * pass.now[i]);
-    rest[lane] = pass.capacity[i] * pass.next[i] * pass.now[i];
-  }
-  return total<width>(sums, rest);
+  using Pack = typename Vector<width>::type;
+  return sum_in_lanes<width>(
+      first, last,
+      [&](std::size_t i, Pack & sum) __attribute__((always_inline)) {
+        Pack w, v, c;
+        load<width>(pass.next + i, w);
+        load<width>(pass.now + i, v);
+        load<width>(pass.capacity + i, c);
+        store<width>(unit * v, kept + i);
+        sum += c * w * v;
+      },
+      [&](std::size_t i) __attribute__((always_inline)) {
+        kept[i] = static_cast<Kept>(unit * pass.now[i]);
+        return pass.capacity[i] * pass.next[i] * pass.now[i];
+      });
 }
 
 template <std::size_t width>
 SUPERSTEP_INLINE double subtract(const LanczosPass& pass, double part, std::size_t first, std::size_t last) {
-  Lanes<width> sums{};
-  std::size_t i = first;
-  for (; i + lanes <= last; i += lanes)
-    for (std::size_t p = 0; p < sums.size(); ++p) {
-      typename Vector<width>::type w, v, c;
-      load<width>(pass.next + i + p * width, w);
-      load<width>(pass.now + i + p * width, v);
-      load<width>(pass.capacity + i + p * width, c);
-      w -= part * v;
-      store<width>(w, pass.next + i + p * width);
-      sums[p] += c * w * w;
-    }
-  std::array<double, lanes> rest{};
-  for (std::size_t lane = 0; i < last; ++i, ++lane) {
-    const double w = pass.next[i] -= part * pass.now[i];
-    rest[lane] = pass.capacity[i] * w * w;
-  }
-  return total<width>(sums, rest);
+  using Pack = typename Vector<width>::type;
+  return sum_in_lanes<width>(
+      first, last,
+      [&](std::size_t i, Pack & sum) __attribute__((always_inline)) {
+        Pack w, v, c;
+        load<width>(pass.next + i, w);
+        load<width>(pass.now + i, v);
+        load<width>(pass.capacity + i, c);
+        w -= part * v;
+        store<width>(w, pass.next + i);
+        sum += c * w * w;
+      },
+      [&](std::size_t i) __attribute__((always_inline)) {
+        const double w = pass.next[i] -= part * pass.now[i];
+        return pass.capacity[i] * w * w;
+      });
 }
 
 template <std::size_t width, class Kept>

@@ -4,14 +4,10 @@
 
 #include <array>
 
+#include "parallel/lane_sum.hpp"
 #include "rhs/kernels/packs.hpp"
 
 namespace superstep {
-
-inline constexpr std::size_t lanes = 8;
-
-template <std::size_t width>
-using Lanes = std::array<typename Vector<width>::type, lanes / width>;
 
 template <std::size_t width>
 SUPERSTEP_INLINE void load(const double* from, typename Vector<width>::type& out) {
@@ -38,13 +34,18 @@ SUPERSTEP_INLINE void store(const typename Vector<width>::type& value, float* to
   std::memcpy(to, &single, sizeof(single));
 }
 
-/// Sum of all lanes and of what the entries after them add, in an order that the width does not change.
-template <std::size_t width>
-SUPERSTEP_INLINE double total(const Lanes<width>& sums, std::array<double, lanes> rest) {
-  std::array<double, lanes> s;
-  std::memcpy(s.data(), sums.data(), sizeof(s));
-  for (std::size_t k = 0; k < lanes; ++k) s[k] += rest[k];
-  return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+/// Sum over entries [first, last) in an order that the width does not change.
+///   add(i, sum)  adds the `width` entries from i on to a register;  term(i)  says what one entry adds
+template <std::size_t width, class Add, class Term>
+SUPERSTEP_INLINE double sum_in_lanes(std::size_t first, std::size_t last, const Add& add, const Term& term) {
+  std::array<typename Vector<width>::type, sum_lanes / width> registers{};
+  std::size_t i = first;
+  for (; i + sum_lanes <= last; i += sum_lanes)
+    for (std::size_t p = 0; p < registers.size(); ++p) add(i + p * width, registers[p]);
+  std::array<double, sum_lanes> sums;
+  std::memcpy(sums.data(), registers.data(), sizeof(sums));
+  for (std::size_t lane = 0; i < last; ++i, ++lane) sums[lane] += term(i);
+  return sum_of_lanes(sums);
 }
 
 }  // namespace superstep
