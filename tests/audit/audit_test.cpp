@@ -247,6 +247,32 @@ TEST(PulsesBetweenElectrodes, HeatUnderEveryMethod) {
   }
 }
 
+/// Scenes that methods once missed by far: thousands of short pieces, a tree that Lanczos told nothing from
+/// five vectors of, profiles under BDF.
+TEST(ScenesThatWentWrong, AreRightNow) {
+  struct Case {
+    std::uint64_t seed;
+    const char *kind, *method;
+    double rtol, most;
+  };
+  TimeLimit limit(5);
+  for (const Case& one : {Case{2070, "driven-linear", "exprb", 1e-3, 3},
+                          {2070, "driven-linear", "exprb", 1e-5, 3},
+                          {2148, "driven-linear", "exprb", 1e-5, 3},
+                          {2057, "linear-constant", "auto", 1e-3, 2},
+                          {2057, "linear-constant", "exponential:basis=lanczos", 1e-3, 2},
+                          {2026, "steady-potential", "auto", 1e-5, 2},
+                          {2092, "steady-potential", "auto", 1e-5, 2},
+                          {185, "one-way", "auto", 1e-5, 2}}) {
+    const auto stated = state_scene(one.seed, {.kind = one.kind});
+    const Truth truth = find_truth(stated);
+    const Row row =
+        judge(stated, build_scene(stated), truth, contenders({one.method}).front(), one.rtol, {}, limit);
+    EXPECT_EQ(row.status, "ok") << one.seed << ' ' << one.method << ": " << row.reason;
+    EXPECT_LT(row.delivered, one.most) << one.seed << ' ' << one.method;
+  }
+}
+
 TEST(AuditSpans, TheLibraryFindsWhatTheOracleSees) {
   std::size_t fields = 0, off = 0;
   std::string misses;

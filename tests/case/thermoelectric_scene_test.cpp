@@ -212,5 +212,38 @@ TEST(ThermoelectricCases, ElectricFieldOfTheNialSampleIsThatOfThePaper) {
   EXPECT_NEAR(scene.rhs->inflow(0, scene.initial) / capacity / 0.169, 1, 0.1);
 }
 
+bool has_knot(const Scene& scene, double t) {
+  const auto& points = scene.rhs->facts().breakpoints;
+  return std::any_of(points.begin(), points.end(), [t](const auto& point) { return point.t == t; });
+}
+
+/// Spheres 0, 1 and 2 are held, so that no free one feels sphere 1: but the current through its contacts
+/// heats.
+TEST_F(ThermoelectricCase, TablesAmongElectrodesAloneAreLandedOn) {
+  const std::string pulsed =
+      "fixed = [ { where = { ids = [0, 2] }, value = 0.0 }, { where = { ids = [1] }, value = { times = [0.0, "
+      "0.25, 0.25, 0.75], values = [0.0, 0.0, 2.0, 0.0] } } ]\n";
+  for (const std::string mode : {"specific_capacity = 1e3\n", "mode = \"steady\"\n"}) {
+    const Scene scene = load(with("conductivity = 1e5\n" + mode + pulsed, heat + "initial = 300.0\n"));
+    EXPECT_TRUE(has_knot(scene, 0.25) && has_knot(scene, 0.75)) << mode;
+    EXPECT_FALSE(scene.rhs->traits().autonomous) << mode;
+  }
+}
+
+/// Sphere 1 is held at temperatures that change, between others that are held: nothing feels it but the
+/// conductivity of its contacts.
+TEST_F(ThermoelectricCase, TemperaturesAmongHeldOnesAreLandedOnWhereALawFollowsThem) {
+  const std::string law =
+      "conductivity = { law = \"sigmoid\", value = 1e5, amplitude = 1.5, steepness = 0.05, reference = 320.0 "
+      "}\nspecific_capacity = 1e3\n";
+  const std::string held =
+      "initial = 300.0\nfixed = [ { where = { ids = [0, 2] }, value = 300.0 }, { where = { ids = [1] }, "
+      "value "
+      "= { times = [0.0, 0.5, 0.5], values = [300.0, 300.0, 500.0] } } ]\n";
+  const Scene scene = load(with(law + electrodes, heat + held));
+  EXPECT_TRUE(has_knot(scene, 0.5));
+  EXPECT_FALSE(scene.rhs->traits().autonomous);
+}
+
 }  // namespace
 }  // namespace superstep

@@ -34,6 +34,7 @@ METHODS = {
     "kappa": (EXPLICIT, DIRECT),
     "two_way": (SOME, DIRECT),
     "one_way": (["sts:n=10,nu=1e-2", "rkc:rtol=1e-3", "exponential:rtol=1e-4"], DIRECT),
+    "electrodes": (["rkc:rtol=1e-3", "exponential:rtol=1e-4"], []),
     "steady_potential": (SOME + EXPONENTIAL, DIRECT),
     "moving_potential": ([], ["rkc:rtol=1e-3"]),
     "hub": (EXPLICIT + EXPONENTIAL + ITERATIVE, DIRECT),

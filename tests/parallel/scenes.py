@@ -103,6 +103,11 @@ def scenes():
         "one_way": case(0.5, ELECTRIC.format(mode="transient", conductivity=1e4) + "specific_capacity = 2e4\n" +
                         ENDS.format(top=4.0, bottom=0.0) + cold +
                         'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
+        # Layers 10 to 12 are electrodes, so that nothing but the heat of their contacts feels the pulse of layer 11.
+        "electrodes": case(0.5, ELECTRIC.format(mode="transient", conductivity=1e4) + "specific_capacity = 2e4\n" +
+                           f"fixed = [ {{ where = {{ ids = {list(range(360, 396)) + list(range(432, 468))} }}, value = 0.0 }},\n"
+                           f"          {{ where = {{ ids = {list(range(396, 432))} }}, value = {{ times = [0.0, 0.2, 0.2, 0.3], "
+                           "values = [0.0, 0.0, 4.0, 0.0] } } ]\n" + cold),
         "steady_potential": case(4.0, ELECTRIC.format(mode="steady", conductivity=1e4) +
                                  ENDS.format(top=4.0, bottom=0.0) + cold +
                                  'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
