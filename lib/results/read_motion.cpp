@@ -9,7 +9,6 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/text/text_file.hpp"
 #include "results/text/csv_table.hpp"
 #include "results/text/json_object.hpp"
 #include "results/thinning.hpp"
@@ -184,7 +183,7 @@ bool exists(const std::string& path) {
 
 std::optional<MotionInput> read_motion(const std::string& folder) {
   const std::string path = folder + "/run.json", history_path = folder + "/history.csv";
-  const Json json = Json::parse(read_text_file(path), nullptr, /*allow_exceptions=*/false);
+  const Json json = parse_json_file(path);
   if (!json.is_object() || !json.contains("motion") || !exists(history_path)) return std::nullopt;
   const History all(history_path);
   MotionInput motion;
