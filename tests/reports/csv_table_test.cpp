@@ -48,11 +48,11 @@ TEST(CsvTable, WhatCountsIsWhole) {
   EXPECT_EQ(table.count(1, 0), 3U);
   EXPECT_EQ(table.whole(2, 0), -2);
   EXPECT_FALSE(table.count(5, 0));
-  for (const std::size_t row : {2, 3, 4})
+  for (const std::size_t row : {2U, 3U, 4U})
     EXPECT_NE(message_of<InputError>([&] { (void)table.count(row, 0); }).find("not negative"),
               std::string::npos)
         << row;
-  for (const std::size_t row : {3, 4, 5})
+  for (const std::size_t row : {3U, 4U, 5U})
     EXPECT_NE(message_of<InputError>([&] { (void)table.whole(row, 0); }).find("whole number"),
               std::string::npos)
         << row;
