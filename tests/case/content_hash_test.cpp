@@ -131,6 +131,9 @@ TEST(ContentHashOfACase, OrderOfKeysAndTheFormOfANumberDoNotCount) {
   EXPECT_NE(hash_of("[a]\nx = 1\n"), hash_of("[a]\nx = \"1\"\n"));
   EXPECT_NE(hash_of("[a]\nx = [1, 2]\n"), hash_of("[a]\nx = [2, 1]\n"));
   EXPECT_NE(hash_of("[a]\nx = []\n"), hash_of("[a]\n"));
+  // Both are 2^63 as doubles, which no 64-bit integer is.
+  EXPECT_NE(hash_of("x = 9223372036854775807\n"), hash_of("x = 9223372036854775806\n"));
+  EXPECT_NE(hash_of("x = 9223372036854775807\n"), hash_of("x = 9223372036854775808.0\n"));
 }
 
 TEST(ContentHashOfACase, EveryByteOfADataFileCounts) {
