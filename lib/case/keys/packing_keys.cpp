@@ -51,7 +51,7 @@ void list_common_keys(KeyList& keys) {
       .fallback = "auto";
   keys.number("ambient", any_number, "K or V", "of surroundings, to which row sums of a Laplacian lead")
       .fallback = "0";
-  keys.text("openpnm", "or a pore network in CSV");
+  keys.text("openpnm", "or a pore network in CSV or VTP");
   keys.text("conductance", "openpnm: the column of throats that conducts");
   keys.number("capacity", no_less_than_zero, "J/K or F",
               "without nodes: of all, or a file, or openpnm's column")
