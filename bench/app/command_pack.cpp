@@ -61,7 +61,7 @@ Container container_of(const Arguments& values, double unit) {
     container.depth = length("--depth", values.depth);
   } else {
     const std::vector<std::string> shapes = {"cylinder", "box"};
-    throw UsageError(fmt::format("--container {} is not valid{}", superstep::quoted(values.container),
+    throw UsageError(fmt::format("--container {} is not valid{}", superstep::in_quotes(values.container),
                                  suggestion(values.container, shapes)));
   }
   return container;

@@ -173,17 +173,12 @@ void read_frames(const std::string& folder, const JsonObject& motion, MotionInpu
   }
 }
 
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
-}
-
 }  // namespace
 
 std::optional<MotionInput> read_motion(const std::string& folder) {
   const std::string path = folder + "/run.json", history_path = folder + "/history.csv";
   const Json json = Json::parse(read_text_file(path), nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("motion") || !exists(history_path)) return std::nullopt;
+  if (!json.is_object() || !json.contains("motion") || !is_regular_file(history_path)) return std::nullopt;
   const History all(history_path);
   MotionInput motion;
   motion.history = thinned(all);

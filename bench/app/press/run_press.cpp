@@ -27,8 +27,6 @@
 namespace superstep {
 namespace {
 
-constexpr double first_look = 10;  // s after which a forecast is worth something
-
 using dynamics::Motion;
 
 /// The case with what the command line changes about it. "staggered" = the phi rule inside the iteration.
@@ -164,7 +162,7 @@ SinteringResult integrate(const Press& one, const RunCommand& command, const std
   checkpoints.started_at(motion.state().time);
   snapshots.add_frame(motion);
   if (command.limits.say)
-    dog.look_after(first_look, [&, from = motion.state().time](double seconds) {
+    dog.look_after(Watchdog::first_look, [&, from = motion.state().time](double seconds) {
       const double part = std::max(0.0, reached.load() - from) / (one.t_end - from);
       const std::string text = forecast_text(one.name, part, seconds, command.limits.seconds, "");
       if (!text.empty()) command.limits.say(text);

@@ -90,7 +90,7 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
   const auto value = parse_number(cell);
   if (!value)
     reject(row, fmt::format("column '{}' is {}; it must be a finite number or empty", columns_[column],
-                            quoted(cell)));
+                            in_quotes(cell)));
   return value;
 }
 
