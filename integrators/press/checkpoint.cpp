@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -54,7 +55,7 @@ class Reader {
   void get(std::vector<Value>& values) {
     std::uint64_t size = 0;
     get(size);
-    if (size > rest_.size()) need(rest_.size() + 1);
+    if (size > rest_.size() / sizeof(Value)) damaged();
     values.resize(static_cast<std::size_t>(size));
     for (auto& value : values) get(value);
   }
@@ -110,6 +111,33 @@ void visit_content(Stream& stream, Content& content, Visit visit) {
   visit(stream, content.model);
 }
 
+bool is_finite(double value) {
+  return std::isfinite(value);
+}
+bool is_finite(const Vec3& value) {
+  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+}
+
+/// A checksum that fits says that nothing was damaged, and not that it makes sense: whoever goes on from the
+/// state finds a value for each particle, numbers, and bonds between particles.
+bool makes_sense(const Checkpoint& one) {
+  const auto& [time, position, velocity, temperature, electric, bonds] = one.state;
+  const std::size_t n = one.particles.id.size();
+  const auto all_finite = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [](const auto& value) { return is_finite(value); });
+  };
+  const auto joins_particles = [&](const Bond& bond) {
+    const auto is_one = [n](std::int32_t i) { return i >= 0 && static_cast<std::size_t>(i) < n; };
+    return is_one(bond.i) && is_one(bond.j) && bond.i != bond.j && is_finite(bond.overlap) &&
+           is_finite(bond.growth);
+  };
+  return one.particles.radius.size() == n && one.particles.mass.size() == n && position.size() == n &&
+         velocity.size() == n && temperature.size() == n && (electric.empty() || electric.size() == n) &&
+         is_finite(time) && is_finite(one.next_step) && all_finite(position) && all_finite(velocity) &&
+         all_finite(temperature) && all_finite(electric) &&
+         std::all_of(bonds.begin(), bonds.end(), joins_particles);
+}
+
 }  // namespace
 
 std::string checkpoint_image(const Checkpoint& checkpoint) {
@@ -155,6 +183,8 @@ Checkpoint read_checkpoint(const std::string& path) {
     checkpoint.history.push_back(row);
   }
   in.finish();
+  if (!makes_sense(checkpoint))
+    throw InputError(fmt::format("{}: holds values that no run has written; write it anew", path));
   return checkpoint;
 }
 

@@ -69,9 +69,7 @@ void read_snapshots(const std::string& path, std::map<std::string, CaseObservati
              depth = table.column("depth"), radius = table.column("radius"), value = table.column("value");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     auto& slot = out[table.text(row, name)].slice;
-    if (!slot)
-      slot = Slice{.source = table.text(row, source),
-                   .cut = static_cast<std::size_t>(std::max(0.0, table.required(row, cut)))};
+    if (!slot) slot = Slice{.source = table.text(row, source), .cut = table.count(row, cut).value_or(0)};
     Slice& slice = *slot;
     const double t = table.required(row, time);
     const std::string field_name = table.text(row, field);
@@ -79,7 +77,7 @@ void read_snapshots(const std::string& path, std::map<std::string, CaseObservati
       slice.frames.push_back({.field = field_name, .unit = table.text(row, unit), .time = t});
     slice.frames.back().value.push_back(table.required(row, value));
     if (slice.frames.size() > 1) continue;
-    slice.spheres.push_back({.id = static_cast<std::int64_t>(table.required(row, id)),
+    slice.spheres.push_back({.id = table.whole(row, id),
                              .across = table.required(row, across),
                              .height = table.required(row, height),
                              .depth = table.required(row, depth),

@@ -64,8 +64,8 @@ std::optional<Slice> read_final(const std::string& path, const std::string& spec
       slice.frames.push_back({.field = field.name, .unit = field.unit, .time = time});
   for (const std::size_t k : randomly_thinned(cut.size(), most_spheres)) {
     const std::size_t row = cut[k];
-    slice.spheres.push_back({static_cast<std::int64_t>(table.required(row, id)), table.required(row, x),
-                             table.required(row, z), table.required(row, y) - plane, table.required(row, r)});
+    slice.spheres.push_back({table.whole(row, id), table.required(row, x), table.required(row, z),
+                             table.required(row, y) - plane, table.required(row, r)});
     for (auto& frame : slice.frames) frame.value.push_back(table.required(row, table.column(frame.field)));
   }
   return slice;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 
@@ -144,6 +145,28 @@ TEST(CheckpointFile, WhatCannotBeReadIsAnInputError) {
   for (const std::string& path : {folder.file("a"), folder.file("folder"), folder.file("a/b"),
                                   folder.file(std::string(5000, 'x')), std::string("/dev/zero")})
     EXPECT_NE(test::message_of<InputError>([&] { (void)read_checkpoint(path); }), "") << path.substr(0, 80);
+}
+
+TEST(CheckpointFile, AChecksumThatFitsIsNotEnough) {
+  const TemporaryFolder folder;
+  const BusyPress press;
+  const auto refuses = [&](auto spoil) {
+    Checkpoint stored{press.cloud.particles, press.cloud.state, 1e-3, {}, ""};
+    spoil(stored);
+    const std::string file = folder.write("spoilt.bin", checkpoint_image(stored));
+    return !test::message_of<InputError>([&] { (void)read_checkpoint(file); }).empty();
+  };
+  EXPECT_FALSE(refuses([](Checkpoint&) {}));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.velocity.pop_back(); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.temperature.clear(); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.electric.assign(3, 0.0); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.particles.mass.push_back(1); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.position[0].y = NAN; }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.time = INFINITY; }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) {
+    c.state.bonds.push_back({0, 80, 0.1, 0.0});
+  })) << "there are 80 particles";
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.bonds.push_back({-1, 2, 0.1, 0.0}); }));
 }
 
 TEST(CheckpointFile, RefusesWhatIsNotOne) {

@@ -99,8 +99,16 @@ SizeDistribution parse_sizes(const std::string& text, double unit) {
   constexpr std::string_view list = "list:";
   if (text.starts_with(list)) return list_of(std::string_view(text).substr(list.size()), unit);
   const std::string kind = text.substr(0, text.find(':'));
-  if (kind == "lognormal") return lognormal(parse_spec(text), unit);
-  if (kind == "uniform") return uniform(parse_spec(text), unit);
+  const auto spec = [&] {
+    try {
+      return parse_spec(text);
+    } catch (const UsageError&) {  // its message is about integrators
+      throw UsageError(
+          fmt::format("--sizes {} is not valid; write {}:key=value,key=value", in_quotes(text), kind));
+    }
+  };
+  if (kind == "lognormal") return lognormal(spec(), unit);
+  if (kind == "uniform") return uniform(spec(), unit);
   const std::vector<std::string> kinds = {"lognormal", "uniform", "list"};
   throw UsageError(
       fmt::format("--sizes: unknown distribution {}{}", in_quotes(kind), suggestion(kind, kinds)));

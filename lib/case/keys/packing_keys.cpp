@@ -136,7 +136,7 @@ void list_packing_keys(KeyList& keys) {
   keys.text("sizes.distribution", "of the diameters", {"lognormal", "uniform", "list"});
   keys.number("sizes.min", positive_number, "length_unit", "lognormal, uniform: smallest diameter");
   keys.number("sizes.max", positive_number, "length_unit", "lognormal, uniform: largest diameter");
-  keys.number("sizes.sigma", positive_number, "", "lognormal: standard deviation of ln(diameter)");
+  keys.number("sizes.sigma", {.min = 1e-3, .max = 10}, "", "lognormal: standard deviation of ln(diameter)");
   keys.number("sizes.median", positive_number, "length_unit", "lognormal: median diameter");
   keys.numbers("sizes.diameters", 0, positive_number, "length_unit", "list: the diameters");
   keys.numbers("sizes.weights", 0, positive_number, "", "list: number fractions").fallback = "equal";

@@ -65,8 +65,8 @@ void collect(const toml::node& node, const std::string& path, std::vector<TomlTa
     add("string " + text->get(), text->get());
   } else if (const auto* whole = node.as_integer()) {
     const auto number = static_cast<double>(whole->get());
-    add(static_cast<std::int64_t>(number) == whole->get() ? fmt::format("number {:a}", number)
-                                                          : fmt::format("integer {}", whole->get()));
+    const bool is_exact = number < 0x1p63 && static_cast<std::int64_t>(number) == whole->get();
+    add(is_exact ? fmt::format("number {:a}", number) : fmt::format("integer {}", whole->get()));
   } else if (const auto* number = node.as_floating_point()) {
     add(fmt::format("number {:a}", number->get()));
   } else if (const auto* truth = node.as_boolean()) {

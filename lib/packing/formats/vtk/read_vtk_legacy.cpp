@@ -180,6 +180,7 @@ class LegacyReader {
     for (std::size_t k = 0; k < arrays; ++k) {
       std::string_view line;
       while (line.empty() && !walker_.at_end()) line = walker_.line();
+      if (line.empty()) walker_.fail("ends inside FIELD; it is cut off: write it again");
       split_cells(line, ' ', words_);
       if (words_[0] == "METADATA") {
         section();
