@@ -62,6 +62,7 @@ TEST_F(NetworkFiles, BadMatricesAreRefusedByEntry) {
   expect_refused(symmetric_ + "2 2 2\n2 1 -2\n", "ends after 1 entries");
   expect_refused(symmetric_ + "2 2 1\n2 1 -2\n2 2 1\n", "K.mtx:4: has more rows");
   expect_refused(symmetric_ + "2 2 1\n3 1 -2\n", "K.mtx:3: position '3'");
+  expect_refused(symmetric_ + "2000000000 2000000000 1\n2 1 2\n", "most nodes touch nothing");
   expect_refused(symmetric_ + "2 2 1\n2 1 x\n", "entry is 'x'");
   expect_refused("%%MatrixMarket matrix coordinate complex general\n1 1 0\n", "'complex'");
   expect_refused("%%MatrixMarket matrix coordinate real hermitian\n1 1 0\n", "'hermitian'");
