@@ -11,6 +11,7 @@
 #include "bench/harness/work_precision.hpp"
 #include "bench/host/terminal.hpp"
 #include "packing/generate.hpp"
+#include "packing/lattice.hpp"
 #include "packing/read_options.hpp"
 
 namespace superstep {
@@ -113,6 +114,7 @@ struct FitCommand {
 struct PackCommand {
   CommonOptions common;
   PackSettings settings;
+  std::optional<Lattice> lattice;  ///< instead of a container that is filled
   std::string file;
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "bench/measure/shared/shared_layers.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/content_hash.hpp"
 #include "core/error.hpp"
@@ -46,6 +47,17 @@ void prepare_for_bench(Scene& scene, const TomlTable& root) {
 LoadedCase load_checked_case(const std::string& file) {
   const double begin = process_cpu_seconds();
   return load(parse_case(file), begin);
+}
+
+LoadedCase load_case_to_run(const std::string& file) {
+  const double begin = process_cpu_seconds();
+  TomlTable root = parse_case(file);
+  auto scene = share_layers(root);
+  if (!scene) return load(std::move(root), begin);
+  LoadedCase one{.content = std::move(*scene)};
+  one.cpu_setup = process_cpu_seconds() - begin;
+  check_specs_of(one.head());
+  return one;
 }
 
 LoadedCase load_bench_case(const std::string& file) {

@@ -8,8 +8,8 @@
 
 #include "bench/host/watchdog.hpp"
 #include "bench/measure/run_over.hpp"
-#include "bench/measure/shared_run.hpp"
-#include "bench/measure/shared_scene.hpp"
+#include "bench/measure/shared/shared_run.hpp"
+#include "bench/measure/shared/shared_scene.hpp"
 #include "rhs/one_way.hpp"
 
 namespace superstep {
@@ -95,6 +95,12 @@ Outcome run_alone(const Scene& scene, Plan plan, Integrator& method, const RunRe
 Outcome run_gathered(const Scene& scene, Plan plan, Integrator& method, const RunRequest& request,
                      std::function<void()> stepping_begins, const std::string& why, RunResult& result) {
   constexpr std::size_t most = 2'000'000;  // unknowns: some GB of factors
+  if (scene.layers)
+    return {Status::refused,
+            fmt::format(
+                "{}, and the scene is one of which nobody has the whole; take another method, or start the "
+                "program once",
+                why)};
   if (scene.rhs->size() > most)
     return {Status::refused,
             fmt::format("{}, and {} unknowns are more than the {} that are gathered on one process; take "

@@ -23,6 +23,10 @@ struct SphereArrays;
 ///   spheres  in memory, instead of a file or a generator; null = there are none
 [[nodiscard]] PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres = nullptr);
 
+/// Reads `[contact]` for a scene that has its packing.
+///   place  where the particles come from, for errors about them
+void read_contact_table(TomlTable& root, const std::string& place, PackingInput& input);
+
 /// `file` as named in the case at `case_path`: relative names start at the case's folder.
 [[nodiscard]] std::string beside_case(const std::string& case_path, const std::string& file);
 

@@ -59,8 +59,9 @@ std::vector<char> by_ids(const TomlValue& ids, const Packing& packing) {
   std::vector<char> out(packing.size(), 0);
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
-    if (found == position.end()) id.reject("it must be the id of a particle in the packing");
-    out[found->second] = 1;
+    const bool elsewhere = packing.part_of && id.integer() >= 0 && id.integer() < packing.part_of->particles;
+    if (found == position.end() && !elsewhere) id.reject("it must be the id of a particle in the packing");
+    if (found != position.end()) out[found->second] = 1;
   }
   return out;
 }
@@ -128,8 +129,14 @@ std::vector<char> select_particles(const TomlValue& where, const Packing& packin
   } else {
     where.reject("it must be \"all\", \"top\", \"bottom\" or a table such as { ids = [1, 2] }");
   }
-  if (std::none_of(out.begin(), out.end(), [](char chosen) { return chosen != 0; }))
-    where.reject("it selects no particle; widen it, or check length_unit");
+  const bool nobody = std::none_of(out.begin(), out.end(), [](char chosen) { return chosen != 0; });
+  if (packing.part_of) {
+    bool& somebody =
+        packing.part_of->selections.try_emplace(where.where() + " is " + where.shown()).first->second;
+    somebody = somebody || !nobody;
+  } else if (nobody) {
+    where.reject(selects_nobody);
+  }
   return out;
 }
 

@@ -25,8 +25,8 @@ struct Arguments {
   bool no_cache = false, work_precision = false, instructions = false, quick = false, report = false,
        vtk = false, verify = false, markdown = false, keys = false;
 
-  std::string container = "cylinder", diameter, width, depth, height, count, relative_density, sizes,
-              seed = "1", length_unit = "m", file;
+  std::string container = "cylinder", lattice, spacing, diameter, width, depth, height, count,
+              relative_density, sizes, seed = "1", length_unit = "m", file;
 
   std::string conductivity, density, specific_heat, axis, neck, periodic, units, file_unit, matrix;
 };
