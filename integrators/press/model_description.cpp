@@ -84,6 +84,10 @@ void add_fields(Description& out, const Model& model) {
                                                                : "potential");
   if (electric.model == CurrentModel::none) return;
   out.add("conductivity", electric.conductivity);
+  const Saturation& saturation = electric.saturation;
+  out.add("saturation", fmt::format("[{}, {}, {}, {}, {}, {}]", saturation.thermal, saturation.thermal_slope,
+                                    saturation.temperature, saturation.field, saturation.field_slope,
+                                    saturation.reference_field));
   out.add("absorption", electric.absorption);
   out.add("hold_temperature", electric.hold_temperature);
 }
