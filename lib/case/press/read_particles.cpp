@@ -20,7 +20,7 @@
 #include "packing/near_pairs.hpp"
 #include "packing/pack_checks.hpp"
 #include "packing/read.hpp"
-#include "packing/size_distribution.hpp"
+#include "packing/relaxation/size_distribution.hpp"
 
 namespace superstep::dynamics {
 namespace {
