@@ -21,6 +21,7 @@ done
 # Two hundred kills of each command, and every call of every command failing once.
 tests/faults/kills.py build/release/bin/superstep 200
 tests/faults/injections.py build/release/bin/superstep build/release/tests/superstep_inject.so 0
+tests/parallel/killed.py build/release/bin/superstep build/release/tests/superstep_inject.so 100 || [ $? -eq 77 ]
 if command -v clang++ >/dev/null; then tests/fuzz/run.sh 3600; fi
 
 build_preset dev

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "bench/app/cli/cli_values.hpp"
 #include "bench/app/cli/command_entry.hpp"
@@ -15,6 +17,7 @@
 #include "core/error.hpp"
 #include "core/text/suggest.hpp"
 #include "core/text/text_file.hpp"
+#include "packing/pack_checks.hpp"
 #include "packing/read.hpp"
 #include "results/text/json_object.hpp"
 
@@ -23,19 +26,19 @@ namespace {
 
 constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
 
-std::string report_text(const Packing& packing, const PackReport& report) {
+std::string report_text(std::size_t particles, const PackReport& report) {
   return fmt::format(
       "particles        {}\n"
       "relative density {:.6g}\n"
       "largest overlap  {:.3g} of the smaller radius\n"
       "relaxation steps {}\n",
-      packing.size(), report.relative_density, report.largest_overlap, report.relaxation_steps);
+      particles, report.relative_density, report.largest_overlap, report.relaxation_steps);
 }
 
-std::string report_json(const Packing& packing, const PackReport& report) {
+std::string report_json(std::size_t particles, const PackReport& report) {
   const nlohmann::ordered_json out = {{"schema", "superstep.pack"},
                                       {"schema_version", 1},
-                                      {"particles", packing.size()},
+                                      {"particles", particles},
                                       {"relative_density", report.relative_density},
                                       {"largest_overlap", report.largest_overlap},
                                       {"relaxation_steps", report.relaxation_steps}};
@@ -61,15 +64,48 @@ Container container_of(const Arguments& values, double unit) {
     container.depth = length("--depth", values.depth);
   } else {
     const std::vector<std::string> shapes = {"cylinder", "box"};
-    throw UsageError(fmt::format("--container {} is not valid{}", superstep::quoted(values.container),
+    throw UsageError(fmt::format("--container {} is not valid{}", superstep::in_quotes(values.container),
                                  suggestion(values.container, shapes)));
   }
   return container;
 }
 
+/// The largest cube of at most so many spheres.
+Lattice lattice_of(const Arguments& values, double unit) {
+  for (const auto& [option, text] : {std::pair("--sizes", values.sizes),
+                                     {"--count", values.count},
+                                     {"--width", values.width},
+                                     {"--depth", values.depth},
+                                     {"--height", values.height},
+                                     {"--relative-density", values.relative_density}})
+    if (!text.empty())
+      throw UsageError(
+          fmt::format("pack: {} belongs to a container that is filled; a lattice has --spacing and "
+                      "--diameter",
+                      option));
+  const double count = parse_positive_option("--lattice", values.lattice);
+  if (!(count >= 1) || count > static_cast<double>(largest_packing))
+    throw UsageError(fmt::format("--lattice {} is not valid: it must lie between 1 and {}",
+                                 superstep::in_quotes(values.lattice), largest_packing));
+  const auto most = static_cast<std::int64_t>(count);
+  std::int64_t side = 1;
+  while ((side + 1) * (side + 1) * (side + 1) <= most) ++side;
+  for (const auto& [option, text] : {std::pair("--spacing", values.spacing), {"--diameter", values.diameter}})
+    if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a lattice", option));
+  return {.cells = {side, side, side},
+          .spacing = unit * parse_positive_option("--spacing", values.spacing),
+          .diameter = unit * parse_positive_option("--diameter", values.diameter)};
+}
+
 Command from_line(const Arguments& values) {
-  PackCommand command{.common = common_options(values), .settings = {}, .file = values.file};
+  PackCommand command{
+      .common = common_options(values), .settings = {}, .lattice = std::nullopt, .file = values.file};
   if (command.file.empty()) throw UsageError("pack: -o FILE is missing; see superstep pack --help");
+  if (!values.lattice.empty()) {
+    command.lattice = lattice_of(values, parse_length_unit(values.length_unit));
+    return command;
+  }
+  if (!values.spacing.empty()) throw UsageError("pack: --spacing belongs to --lattice");
   if (values.sizes.empty()) throw UsageError("pack: --sizes is missing; see superstep pack --help");
   const double unit = parse_length_unit(values.length_unit);
   PackSettings& settings = command.settings;
@@ -83,6 +119,34 @@ Command from_line(const Arguments& values) {
   return command;
 }
 
+/// Written layer by layer: only one of them is there at a time.
+void write_lattice(const std::string& file, const Lattice& lattice, Progress& progress) {
+  write_file_atomically(file, [&](const PieceWriter& write) {
+    for (std::int64_t layer = 0; layer < lattice.cells[2]; ++layer) {
+      if (stop_flag()) throw NumericalError("it was interrupted");
+      const Packing packing = lattice_layers(lattice, layer, layer + 1);
+      if (layer == 0) write(packing_csv_head(packing));
+      write(packing_csv_rows(packing));
+      progress.reached(static_cast<double>(layer + 1) / static_cast<double>(lattice.cells[2]));
+    }
+  });
+}
+
+/// What the generator of containers says of a packing, of a lattice.
+PackReport report_of(const Lattice& lattice) {
+  const double radius = 0.5 * lattice.diameter, cell = lattice.spacing * lattice.spacing * lattice.spacing;
+  PackReport report;
+  report.relative_density = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius / cell;
+  if (lattice.size() > 1) report.largest_overlap = std::max(0.0, lattice.diameter - lattice.spacing) / radius;
+  return report;
+}
+
+int say(const PackCommand& command, std::size_t particles, const PackReport& report) {
+  print_data(command.common.json ? report_json(particles, report) : report_text(particles, report));
+  if (!command.common.quiet) note(fmt::format("packing in {}", command.file));
+  return 0;
+}
+
 }  // namespace
 
 int execute(const PackCommand& command) {
@@ -90,6 +154,14 @@ int execute(const PackCommand& command) {
   catch_interrupts();
   Progress progress(!quiet && stderr_is_terminal());
   progress.begin("packing", 1.0);
+  if (command.lattice) try {
+      write_lattice(command.file, *command.lattice, progress);
+      progress.end();
+      return say(command, static_cast<std::size_t>(command.lattice->size()), report_of(*command.lattice));
+    } catch (const NumericalError&) {
+      progress.end();
+      return interrupted_exit_code;
+    }
   PackReport report;
   const auto watch = [&](double fraction) {
     progress.reached(fraction);
@@ -105,9 +177,7 @@ int execute(const PackCommand& command) {
   }
   progress.end();
   write_file_atomically(command.file, packing_csv(packing));
-  print_data(command.common.json ? report_json(packing, report) : report_text(packing, report));
-  if (!quiet) note(fmt::format("packing in {}", command.file));
-  return 0;
+  return say(command, packing.size(), report);
 }
 
 CommandEntry pack_command() {
@@ -121,11 +191,15 @@ CommandEntry pack_command() {
           "  superstep pack --container box --width 1 --depth 1 --height 1 --length-unit mm "
           "--relative-density "
           "0.6 \\\n"
-          "      --sizes uniform:min=0.08,max=0.12 -o packing.csv",
+          "      --sizes uniform:min=0.08,max=0.12 -o packing.csv\n"
+          "  superstep pack --lattice 1e6 --spacing 1 --diameter 1.02 --length-unit mm -o lattice.csv",
       .positional = "",
       .positional_meaning = "",
       .options = {{"--container", &Arguments::container, "cylinder or box (default cylinder)", "SHAPE"},
-                  {"--diameter", &Arguments::diameter, "of the cylinder", "L"},
+                  {"--lattice", &Arguments::lattice,
+                   "instead: the largest cube of at most N spheres on a cubic lattice", "N"},
+                  {"--spacing", &Arguments::spacing, "of the lattice", "L"},
+                  {"--diameter", &Arguments::diameter, "of the cylinder, or of the lattice's spheres", "L"},
                   {"--width", &Arguments::width, "of the box, x", "L"},
                   {"--depth", &Arguments::depth, "of the box, y", "L"},
                   {"--height", &Arguments::height, "of the container, z", "L"},

@@ -11,6 +11,7 @@
 #include "bench/harness/work_precision.hpp"
 #include "bench/host/terminal.hpp"
 #include "packing/generate.hpp"
+#include "packing/lattice.hpp"
 #include "packing/read_options.hpp"
 
 namespace superstep {
@@ -32,12 +33,14 @@ struct RunCommand {
   bool verify = false;                   ///< run again by another method, ten times tighter, and compare
   bool vtk = false;                      ///< write particles and contacts for ParaView
   std::optional<double> checkpoint;      ///< simulated time between checkpoints [s]; moving particles only
-  std::string restart;                   ///< checkpoint to go on from; empty = none; moving particles only
-  RunLimits limits;                      ///< of each run
+  std::string export_packing;  ///< packing file to write at the end; empty = none; moving particles only
+  std::string restart;         ///< checkpoint to go on from; empty = none; moving particles only
+  RunLimits limits;            ///< of each run
 };
 
 struct BenchCommand {
   CommonOptions common;
+  bool press_table = false;  ///< springback over hold and densification instead
   std::vector<std::string> case_files;
   HarnessOptions harness;
   std::string out;      ///< folder; empty = default_output_folder
@@ -113,6 +116,7 @@ struct FitCommand {
 struct PackCommand {
   CommonOptions common;
   PackSettings settings;
+  std::optional<Lattice> lattice;  ///< instead of a container that is filled
   std::string file;
 };
 

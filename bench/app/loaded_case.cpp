@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "bench/measure/shared/shared_layers.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/content_hash.hpp"
 #include "core/error.hpp"
@@ -48,6 +49,17 @@ LoadedCase load_checked_case(const std::string& file) {
   return load(parse_case(file), begin);
 }
 
+LoadedCase load_case_to_run(const std::string& file) {
+  const double begin = process_cpu_seconds();
+  TomlTable root = parse_case(file);
+  auto scene = share_layers(root);
+  if (!scene) return load(std::move(root), begin);
+  LoadedCase one{.content = std::move(*scene)};
+  one.cpu_setup = process_cpu_seconds() - begin;
+  check_specs_of(one.head());
+  return one;
+}
+
 LoadedCase load_bench_case(const std::string& file) {
   const double begin = process_cpu_seconds();
   const TomlTable root = parse_case(file);
@@ -71,7 +83,7 @@ void require_distinct_names(const std::vector<std::string>& files) {
       throw UsageError(
           fmt::format("bench: {} and {} are both named '{}', and results go by the name; rename a file, or "
                       "measure them on their own",
-                      superstep::quoted(first->second), superstep::quoted(file), first->first));
+                      superstep::in_quotes(first->second), superstep::in_quotes(file), first->first));
   }
 }
 

@@ -17,6 +17,8 @@ struct LoadedCase {
 
 /// Loads a case and checks the SPECs that it states. Throws InputError.
 [[nodiscard]] LoadedCase load_checked_case(const std::string& file);
+/// The same for a run, which needs no more of a scene than each of several processes can build for itself.
+[[nodiscard]] LoadedCase load_case_to_run(const std::string& file);
 
 /// The same for a benchmark: without output times of its own a scene is judged at 2, 10 and 100 % of the run,
 /// because at a steady end any damped method looks exact. Throws InputError, also for sizes that must be a

@@ -1,13 +1,24 @@
 #include "bench/measure/probe_set.hpp"
 
 namespace superstep {
+namespace {
+
+/// Of a graph that holds the probed nodes alone.
+std::vector<double> known_values(const FieldScene& field) {
+  std::vector<double> values = field.graph.initial;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (field.graph.is_fixed[k]) values[k] = field.graph.fixed_value[k];
+  return values;
+}
+
+}  // namespace
 
 ProbeSet::ProbeSet(const Scene& scene) {
   if (scene.probes.empty()) return;
   for (std::size_t f = 0; f < scene.fields.size(); ++f) {
     const auto& field = scene.fields[f];
     if (field.steady && scene.moving_potential) continue;  // it is known at output times only
-    const auto initial = scene.values_on_nodes(f, 0.0, scene.initial);
+    const auto initial = scene.layers ? known_values(field) : scene.values_on_nodes(f, 0.0, scene.initial);
     for (const auto& probe : scene.probes) {
       ProbeColumn column{.name = field.name + "_" + probe.label,
                          .field = field.name,
@@ -18,7 +29,8 @@ ProbeSet::ProbeSet(const Scene& scene) {
       if (const auto entry = scene.entry_of_node(f, probe.node); entry >= 0) {
         column.slot = static_cast<std::ptrdiff_t>(entries_.size());
         entries_.push_back(static_cast<std::size_t>(entry));
-        initial_.push_back(scene.initial[static_cast<std::size_t>(entry)]);
+        initial_.push_back(scene.layers ? column.initial - field.origin
+                                        : scene.initial[static_cast<std::size_t>(entry)]);
       }
       columns_.push_back(std::move(column));
     }

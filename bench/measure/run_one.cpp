@@ -8,14 +8,12 @@
 
 #include "bench/host/watchdog.hpp"
 #include "bench/measure/run_over.hpp"
-#include "bench/measure/shared_run.hpp"
-#include "bench/measure/shared_scene.hpp"
+#include "bench/measure/shared/shared_run.hpp"
+#include "bench/measure/shared/shared_scene.hpp"
 #include "rhs/one_way.hpp"
 
 namespace superstep {
 namespace {
-
-constexpr double first_look = 10;  // s after which a forecast is worth something
 
 /// A method that usually is faster than one of small steps.
 std::string faster_method(Rhs& rhs, const MethodSpec& spec) {
@@ -38,7 +36,7 @@ class Watch {
   [[nodiscard]] std::atomic<double>* reached() noexcept { return reached_; }
   void stepping_begins() {
     if (!request_.limits.say) return;
-    dog_.look_after(first_look, [this, faster = faster_method(*scene_.rhs, spec_)](double seconds) {
+    dog_.look_after(Watchdog::first_look, [this, faster = faster_method(*scene_.rhs, spec_)](double seconds) {
       const double part = reached_->load(std::memory_order_relaxed) / scene_.t_end;
       const std::string text = forecast_text(spec_.text(), part, seconds, request_.limits.seconds, faster);
       if (!text.empty()) request_.limits.say(text);
@@ -97,6 +95,12 @@ Outcome run_alone(const Scene& scene, Plan plan, Integrator& method, const RunRe
 Outcome run_gathered(const Scene& scene, Plan plan, Integrator& method, const RunRequest& request,
                      std::function<void()> stepping_begins, const std::string& why, RunResult& result) {
   constexpr std::size_t most = 2'000'000;  // unknowns: some GB of factors
+  if (scene.layers)
+    return {Status::refused,
+            fmt::format(
+                "{}, and the scene is one of which nobody has the whole; take another method, or start the "
+                "program once",
+                why)};
   if (scene.rhs->size() > most)
     return {Status::refused,
             fmt::format("{}, and {} unknowns are more than the {} that are gathered on one process; take "

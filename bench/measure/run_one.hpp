@@ -27,7 +27,8 @@ struct RunRequest {
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: stop at the next step end
   Progress* progress = nullptr;
   RunLimits limits = {};
-  /// Called at every output time with its number, the time [s] and the state.
+  /// Called at every output time with its number, the time [s] and the state: of a scene that is built in
+  /// layers, of the rows that are here.
   std::function<void(std::size_t output, double t, std::span<const double> state)> observe = {};
 };
 
@@ -49,6 +50,7 @@ struct RunResult {
   std::string distributed;
   std::uint64_t reductions = 0;                     ///< sums and maxima over all processes
   std::uint64_t halo_messages = 0, halo_bytes = 0;  ///< of all processes together
+  double peak_memory_mb = 0;                        ///< of all processes together; 0 = one took part
   double imbalance = 1;                             ///< most entries that a process has over their mean
 };
 

@@ -100,7 +100,7 @@ Outcome run_over(RunSite& site, Integrator& method, RunResult& result) {
     return {Status::refused, refused.what()};
   } catch (const std::bad_alloc&) {
     result.threw = true;
-    return {Status::failed, "out of memory"};
+    return {Status::failed, out_of_memory};
   } catch (const Error& error) {
     // A file that cannot be written is no fault of the method.
     if (error.code() != ExitCode::numerical) throw;

@@ -20,6 +20,9 @@ struct RunSite {
   std::function<void()> stepping_begins = {};
 };
 
+/// Why a run failed that found no memory.
+inline constexpr const char* out_of_memory = "out of memory";
+
 /// Everything from the pilot run to the last output. Adds times to `result`.
 [[nodiscard]] Outcome run_over(RunSite& site, Integrator& method, RunResult& result);
 

@@ -6,6 +6,7 @@
 
 #include "bench/host/machine.hpp"
 #include "bench/measure/scene_facts.hpp"
+#include "bench/measure/shared/shared_layers.hpp"
 #include "bench/output/output_folder.hpp"
 #include "case/checks/effective.hpp"
 #include "core/atomic_file.hpp"
@@ -59,8 +60,13 @@ std::optional<SteadyCurrent> steady_current(const Scene& scene) {
 
 }  // namespace
 
-std::string final_csv(const Scene& scene, double t, std::span<const double> state) {
+void write_final_csv(const Scene& scene, double t, std::span<const double> state, const PieceWriter& write) {
+  constexpr std::size_t piece = std::size_t{1} << 20;  // bytes
   Buffer out;
+  if (scene.layers) {
+    write("id,x,y,z,r,temperature\n");
+    return for_layered_lines(scene, state, write);
+  }
   if (scene.packed && scene.packed->packing.cell && scene.packed->packing.cell->is_periodic())
     append(out, "{}",
            cell_comment(*scene.packed->packing.cell));  // so that it reads back with the same contacts
@@ -77,8 +83,17 @@ std::string final_csv(const Scene& scene, double t, std::span<const double> stat
     if (scene.packed) append_particle(out, scene.packed->packing, i);
     for (const auto& value : values) append(out, ",{}", value[i]);
     append(out, "\n");
+    if (out.size() < piece) continue;
+    write({out.data(), out.size()});
+    out.clear();
   }
-  return fmt::to_string(out);
+  write({out.data(), out.size()});
+}
+
+std::string final_csv(const Scene& scene, double t, std::span<const double> state) {
+  std::string text;
+  write_final_csv(scene, t, state, [&](std::string_view piece) { text += piece; });
+  return text;
 }
 
 std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, double t_end) {
@@ -112,8 +127,8 @@ RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult
           .t_end = scene.t_end,
           .t_reached = run.t_reached,
           .nodes = scene.nodes(),
-          .contacts = scene.fields.front().graph.edges(),
-          .unknowns = scene.rhs->size(),
+          .contacts = scene.edges(),
+          .unknowns = scene.rhs->reduction().total(),
           .steps = run.statistics.steps,
           .rejected = run.statistics.rejected,
           .rhs = run.sweeps,
@@ -132,7 +147,7 @@ RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult
           .cpu_prepare = run.cpu_prepare,
           .cpu_stepping = run.cpu_stepping,
           .wall_stepping = run.wall_stepping,
-          .peak_memory_mb = peak_memory_megabytes(),
+          .peak_memory_mb = run.peak_memory_mb > 0 ? run.peak_memory_mb : peak_memory_megabytes(),
           .processes = run.processes,
           .distributed = run.distributed,
           .reductions = run.reductions,
@@ -160,7 +175,9 @@ std::string write_run_files(const std::string& folder, const Scene& scene, const
     record.files.push_back(name);
   };
   const bool ok = run.outcome.ok();
-  write_or_remove("final.csv", ok, [&] { return final_csv(scene, run.t_reached, final_state); });
+  write_or_remove("final.csv", ok, [&] {
+    return [&](const PieceWriter& write) { write_final_csv(scene, run.t_reached, final_state, write); };
+  });
   write_or_remove("probes.csv", ok && !probes.columns().empty(),
                   [&] { return probes_csv(probes, run.history, scene.t_end); });
   record.files.emplace_back("run.json");

@@ -14,6 +14,9 @@ namespace superstep {
 /// final.csv: every node in the user's order: id, then x,y,z,r [m] when there is a packing, then one column
 /// per field.
 [[nodiscard]] std::string final_csv(const Scene& scene, double t, std::span<const double> state);
+/// The same in pieces: the text of a large scene needs more room than the scene.
+void write_final_csv(const Scene& scene, double t, std::span<const double> state,
+                     const std::function<void(std::string_view)>& write);
 
 /// probes.csv: time [s] and one column per probe and field, at the method's own step ends, from the initial
 /// state to t_end.

@@ -94,6 +94,7 @@ void visit_row(Stream& stream, Row& row, Visit visit) {
   visit(stream, row.step);
   visit(stream, row.iterations);
   visit(stream, row.rejections);
+  visit(stream, row.landed);
 }
 
 template <class Stream, class Content, class Visit>
@@ -101,6 +102,11 @@ void visit_content(Stream& stream, Content& content, Visit visit) {
   visit(stream, content.particles.id);
   visit(stream, content.particles.radius);
   visit(stream, content.particles.mass);
+  visit(stream, content.particles.material);
+  visit(stream, content.particles.specific_heat);
+  visit(stream, content.particles.conductivity);
+  visit(stream, content.particles.electric_conductivity);
+  visit(stream, content.particles.hardness);
   visit(stream, content.state.time);
   visit(stream, content.state.position);
   visit(stream, content.state.velocity);
@@ -164,8 +170,14 @@ Checkpoint read_checkpoint(const std::string& path) {
   if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   const std::string image{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  constexpr std::string_view any_version = "superstep checkpoint ";
+  if (image.starts_with(any_version) && image.size() >= magic.size() && !image.starts_with(magic))
+    throw InputError(
+        fmt::format("{}: is a checkpoint of version {}, and this program reads version {}; go on with "
+                    "the program that wrote it, or start anew",
+                    path, image.substr(any_version.size(), 1), magic.substr(any_version.size(), 1)));
   if (!image.starts_with(magic))
-    throw InputError(fmt::format("{}: is not a checkpoint of this version of the program", path));
+    throw InputError(fmt::format("{}: is no checkpoint; name a checkpoint.bin", path));
   constexpr std::size_t checksum_size = 32;
   const std::string_view rest = std::string_view(image).substr(magic.size());
   const std::string_view body = rest.substr(std::min(checksum_size, rest.size()));

@@ -19,6 +19,7 @@ struct HistoryRow {
   double step = 0;              ///< size of the step [s]
   std::int64_t iterations = 0;  ///< fixed-point iterations of the step
   std::int64_t rejections = 0;  ///< restarts of the step
+  std::int32_t landed = 0;      ///< 1 = the step ended where something jumped (`control = "steady"`)
 };
 
 }  // namespace superstep::dynamics

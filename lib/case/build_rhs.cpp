@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "case/roles.hpp"
 #include "core/error.hpp"
 #include "core/index.hpp"
+#include "network/network_in_order.hpp"
 #include "network/spd_solver.hpp"
 #include "rhs/network_rhs.hpp"
 
@@ -80,6 +82,13 @@ std::vector<KnownValue> known_values(const FieldScene& field) {
   return known;
 }
 
+Network network_of(const FieldScene& field) {
+  if (!field.in_order) return build_network(field.graph, field.roles, field.origin);
+  std::vector<std::int32_t> order(field.graph.nodes());
+  std::iota(order.begin(), order.end(), 0);
+  return build_network_in_order(field.graph, field.roles, field.origin, order);
+}
+
 FieldInput field_input(const FieldScene& field, Network network) {
   FieldInput input;
   input.network = std::move(network);
@@ -109,7 +118,7 @@ void mark_tables_apart(NonlinearInput& input) {
 }
 
 FieldInput take_field(FieldScene& field) {
-  Network network = build_network(field.graph, field.roles, field.origin);
+  Network network = network_of(field);
   field.row_of_node = network.row_of_node;
   return field_input(field, std::move(network));
 }
@@ -131,7 +140,7 @@ void build_single(const std::string& where, FieldScene& field, Scene& scene) {
     return;
   }
   set_origin(field);
-  Network network = build_network(field.graph, field.roles, field.origin);
+  Network network = network_of(field);
   field.row_of_node = network.row_of_node;
   append_initial(field, network, scene);
   const double pair_step = min_pair_step(field.graph, field.roles, field.bare);
@@ -257,7 +266,7 @@ NonlinearInput nonlinear_input(const Scene& scene) {
   NonlinearInput input;
   for (const auto& field : scene.fields) {
     if (field.view < 0) continue;
-    FieldInput one = field_input(field, build_network(field.graph, field.roles, field.origin));
+    FieldInput one = field_input(field, network_of(field));
     if (field.name == "potential") {
       input.potential = std::move(one);
       if (dynamic_cast<const NonlinearRhs&>(*scene.rhs).heats()) input.joule = &field.graph;

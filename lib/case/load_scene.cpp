@@ -4,6 +4,7 @@
 #include "case/checks/law_ranges.hpp"
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
+#include "case/layers/layered_scene.hpp"
 #include "case/materials.hpp"
 #include "case/memory/case_data.hpp"
 #include "case/network/read_network_scene.hpp"
@@ -13,6 +14,7 @@
 #include "case/read_packing_scene.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
+#include "core/index.hpp"
 #include "core/text/toml.hpp"
 
 namespace superstep {
@@ -141,6 +143,14 @@ Scene load_scene(TomlTable root, const CaseData& data) {
   for (const auto& field : scene.fields)
     scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
   return scene;
+}
+
+std::size_t Scene::nodes() const noexcept {
+  return layers ? at(layers->lattice().size()) : fields.front().graph.nodes();
+}
+
+std::size_t Scene::edges() const noexcept {
+  return layers ? at(layers->edges) : fields.front().graph.edges();
 }
 
 std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::span<const double> state) const {

@@ -69,6 +69,7 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   scene.name = kind.name;
   scene.unit = kind.unit;
   scene.steady = steady;
+  scene.in_order = packing.in_order;
   const FieldMaterials field = materials.field(kind.table, table, steady ? "" : kind.capacity_key);
   scene.warnings = material_warnings(kind, field, materials);
   scene.laws.material = packing.material;

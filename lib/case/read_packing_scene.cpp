@@ -8,6 +8,7 @@
 #include "case/memory/memory_packing.hpp"
 #include "case/packed/packing_options.hpp"
 #include "case/packed/read_contacts.hpp"
+#include "case/packed/read_lattice.hpp"
 #include "core/error.hpp"
 #include "packing/generate.hpp"
 #include "packing/grid.hpp"
@@ -25,6 +26,8 @@ std::vector<double> positive_numbers(const TomlValue& value) {
     if (!(number > 0)) value.reject(fmt::format("it holds {}, and every number must be > 0", number));
   return numbers;
 }
+
+}  // namespace
 
 SizeDistribution read_sizes(TomlTable table, double unit) {
   SizeDistribution sizes;
@@ -49,6 +52,8 @@ SizeDistribution read_sizes(TomlTable table, double unit) {
   table.finish();
   return sizes;
 }
+
+namespace {
 
 std::int64_t non_negative(TomlTable& table, const std::string& key, std::int64_t fallback) {
   const auto value = table.find(key);
@@ -101,6 +106,10 @@ Packing generate(TomlTable& table, const TomlValue& generator, double unit) {
   PackSettings settings;
   const std::string shape = generator.string();
   if (shape == "grid") return generate_grid(table, unit);
+  if (shape == "lattice") {
+    const Lattice lattice = read_lattice(table, unit);
+    return lattice_layers(lattice, 0, lattice.cells[2]);
+  }
   if (shape == "cylinder") {
     settings.container.shape = Container::Shape::cylinder;
     settings.container.diameter = unit * table.positive("diameter", "length");
@@ -109,7 +118,7 @@ Packing generate(TomlTable& table, const TomlValue& generator, double unit) {
     settings.container.width = unit * table.positive("width", "length");
     settings.container.depth = unit * table.positive("depth", "length");
   } else {
-    generator.reject("the generator must be \"cylinder\", \"box\" or \"grid\"");
+    generator.reject("the generator must be \"cylinder\", \"box\", \"grid\" or \"lattice\"");
   }
   settings.container.height = unit * table.positive("height", "length");
   settings.relative_density = table.positive("relative_density", "-");
@@ -147,6 +156,16 @@ std::string beside_case(const std::string& case_path, const std::string& file) {
   return path.is_absolute() ? file : (std::filesystem::path(case_path).parent_path() / path).string();
 }
 
+void read_contact_table(TomlTable& root, const std::string& place, PackingInput& input) {
+  auto contact = root.table("contact");
+  if (!contact) root.missing("contact", "[contact] is missing; it names the neck law");
+  if (const auto law = contact->find("conductance")) {
+    input.pipe = law->string() == "pipe";
+    if (!input.pipe && law->string() != "series") law->reject("it must be \"series\" or \"pipe\"");
+  }
+  read_contacts(*contact, place, input.scene);
+}
+
 PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
   auto packing = root.table("packing");
   if (!packing)
@@ -173,16 +192,10 @@ PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
   input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))
     input.scene.container = read_container(*container, input.unit);
-  auto contact = root.table("contact");
-  if (!contact) root.missing("contact", "[contact] is missing; it names the neck law");
-  if (const auto law = contact->find("conductance")) {
-    input.pipe = law->string() == "pipe";
-    if (!input.pipe && law->string() != "series") law->reject("it must be \"series\" or \"pipe\"");
-  }
   const std::string place = spheres ? packing->where()
                             : file  ? beside_case(root.file(), file->string())
                                     : generator->where();
-  read_contacts(*contact, place, input.scene);
+  read_contact_table(root, place, input);
   return input;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 /// `[packing]` and `[contact]` of a case: particles, contacts, necks.
 
+#include <optional>
 #include <string>
 
 #include "case/scene.hpp"
 #include "core/text/toml.hpp"
+#include "packing/generate.hpp"
 
 namespace superstep {
 
@@ -23,7 +25,15 @@ struct SphereArrays;
 ///   spheres  in memory, instead of a file or a generator; null = there are none
 [[nodiscard]] PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres = nullptr);
 
+/// Reads `[contact]` for a scene that has its packing.
+///   place  where the particles come from, for errors about them
+void read_contact_table(TomlTable& root, const std::string& place, PackingInput& input);
+
 /// `file` as named in the case at `case_path`: relative names start at the case's folder.
 [[nodiscard]] std::string beside_case(const std::string& case_path, const std::string& file);
+
+/// A table of sizes: distribution = "lognormal", "uniform" or "list", with its numbers.
+///   unit  m per length of the table
+[[nodiscard]] SizeDistribution read_sizes(TomlTable table, double unit);
 
 }  // namespace superstep

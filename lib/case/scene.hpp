@@ -20,6 +20,8 @@
 
 namespace superstep {
 
+class LayeredNodes;
+
 /// A node whose history is recorded: an entry of the state, or a constant (fixed and idle nodes).
 struct Probe {
   std::string label;  ///< "mid-height" or the id
@@ -53,6 +55,7 @@ struct FieldScene {
   std::string name;                       ///< "temperature" or "potential"
   std::string unit;                       ///< "K" or "V"
   Graph graph;                            ///< the user's nodes and edges
+  bool in_order = false;                  ///< rows stand in the order of the nodes
   bool steady = false;                    ///< solved for, not stepped: no part of the state
   ConductionLaws laws;                    ///< conductivities; without materials for a network given directly
   std::vector<NodeRole> roles;            ///< [nodes]
@@ -72,6 +75,9 @@ struct FieldScene {
 };
 
 struct Scene : CaseHead {
+  /// Where processes build a scene together: the nodes that are here. Then the graph holds the probed nodes
+  /// alone, and the right-hand side and its initial state are those of this process.
+  std::shared_ptr<LayeredNodes> layers;
   std::string content_hash;  ///< of the case and its data files; empty = nobody asked
   std::optional<PackingScene> packed;
   std::vector<FieldScene> fields;
@@ -85,7 +91,8 @@ struct Scene : CaseHead {
   std::vector<std::string> warnings;
   std::vector<Skip> skips;
 
-  [[nodiscard]] std::size_t nodes() const noexcept { return fields.front().graph.nodes(); }
+  [[nodiscard]] std::size_t nodes() const noexcept;
+  [[nodiscard]] std::size_t edges() const noexcept;  ///< contacts, of one field
   /// Values of one field at time t on all nodes in the user's order [nodes]: computed, fixed and idle ones.
   [[nodiscard]] std::vector<double> values_on_nodes(std::size_t field, double t,
                                                     std::span<const double> state) const;

@@ -19,10 +19,6 @@ Vec3 point(TomlTable& table, const std::string& key, double unit) {
   return unit * Vec3{numbers[0], numbers[1], numbers[2]};
 }
 
-double component(Vec3 v, char axis) noexcept {
-  return axis == 'x' ? v.x : axis == 'y' ? v.y : v.z;
-}
-
 template <class Inside>
 std::vector<char> mask(const Packing& packing, Inside inside) {
   std::vector<char> out(packing.size());
@@ -63,8 +59,9 @@ std::vector<char> by_ids(const TomlValue& ids, const Packing& packing) {
   std::vector<char> out(packing.size(), 0);
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
-    if (found == position.end()) id.reject("it must be the id of a particle in the packing");
-    out[found->second] = 1;
+    const bool elsewhere = packing.part_of && id.integer() >= 0 && id.integer() < packing.part_of->particles;
+    if (found == position.end() && !elsewhere) id.reject("it must be the id of a particle in the packing");
+    if (found != position.end()) out[found->second] = 1;
   }
   return out;
 }
@@ -132,8 +129,14 @@ std::vector<char> select_particles(const TomlValue& where, const Packing& packin
   } else {
     where.reject("it must be \"all\", \"top\", \"bottom\" or a table such as { ids = [1, 2] }");
   }
-  if (std::none_of(out.begin(), out.end(), [](char chosen) { return chosen != 0; }))
-    where.reject("it selects no particle; widen it, or check length_unit");
+  const bool nobody = std::none_of(out.begin(), out.end(), [](char chosen) { return chosen != 0; });
+  if (packing.part_of) {
+    bool& somebody =
+        packing.part_of->selections.try_emplace(where.where() + " is " + where.shown()).first->second;
+    somebody = somebody || !nobody;
+  } else if (nobody) {
+    where.reject(selects_nobody);
+  }
   return out;
 }
 

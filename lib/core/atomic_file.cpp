@@ -83,14 +83,23 @@ void flush_folder(const fs::path& folder) noexcept {
   ::close(descriptor);
 }
 
+void write_pieces(const std::string& path, int descriptor,
+                  const std::function<void(const PieceWriter&)>& pieces) {
+  pieces([&](std::string_view piece) {
+    if (!write_all(descriptor, piece)) fail(path, errno);
+  });
+}
+
+using Pieces = std::function<void(const PieceWriter&)>;
+
 /// Through a temporary. `kept` [mode] of the file that is replaced, if there is one.
-void replace(const std::string& path, const fs::path& file, std::string_view content,
+void replace(const std::string& path, const fs::path& file, const Pieces& pieces,
              std::optional<mode_t> kept) {
   TemporaryFile temporary(file.parent_path());
   if (temporary.descriptor() < 0) fail(path, errno);
-  const bool flushed = write_all(temporary.descriptor(), content) &&
-                       (!kept || ::fchmod(temporary.descriptor(), *kept) == 0) &&
-                       ::fsync(temporary.descriptor()) == 0;
+  write_pieces(path, temporary.descriptor(), pieces);
+  const bool flushed =
+      (!kept || ::fchmod(temporary.descriptor(), *kept) == 0) && ::fsync(temporary.descriptor()) == 0;
   if (!flushed) fail(path, errno);
   if (!temporary.rename_to(file)) fail(path, errno);
   flush_folder(file.parent_path());
@@ -99,10 +108,13 @@ void replace(const std::string& path, const fs::path& file, std::string_view con
 }  // namespace
 
 void write_file_atomically(const std::string& path, std::string_view content) {
+  write_file_atomically(path, [&](const PieceWriter& write) { write(content); });
+}
+
+void write_file_atomically(const std::string& path, const Pieces& pieces) {
   const auto [file, stream] = follow_links(path);
   if (stream) {
-    if (!write_all(*stream, content)) fail(path, errno);
-    return;
+    return write_pieces(path, *stream, pieces);
   }
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
@@ -110,10 +122,10 @@ void write_file_atomically(const std::string& path, std::string_view content) {
   struct stat facts {};
   const bool exists = ::stat(file.c_str(), &facts) == 0;
   if (!exists && errno != ENOENT) fail(path, errno);
-  if (!exists) return replace(path, file, content, std::nullopt);
+  if (!exists) return replace(path, file, pieces, std::nullopt);
   if (S_ISDIR(facts.st_mode)) fail(path, EISDIR);
   constexpr mode_t permissions = 07777;
-  if (S_ISREG(facts.st_mode)) return replace(path, file, content, facts.st_mode & permissions);
+  if (S_ISREG(facts.st_mode)) return replace(path, file, pieces, facts.st_mode & permissions);
   if (!is_null_device(facts)) fail(path, "it is a device, a pipe or a socket, and no file");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Files that appear whole or not at all.
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,10 @@ namespace superstep {
 ///
 /// A process that was killed leaves its temporary: the next one that writes into the folder removes it.
 void write_file_atomically(const std::string& path, std::string_view content);
+
+/// The same of a content that comes in pieces: pieces(write) calls write(piece) for one after the other. What
+/// it throws leaves nothing behind.
+using PieceWriter = std::function<void(std::string_view)>;
+void write_file_atomically(const std::string& path, const std::function<void(const PieceWriter&)>& pieces);
 
 }  // namespace superstep

@@ -15,7 +15,7 @@
 #include "packing/pack_checks.hpp"
 #include "packing/relaxation/relax.hpp"
 #include "packing/relaxation/seat_loners.hpp"
-#include "packing/size_distribution.hpp"
+#include "packing/relaxation/size_distribution.hpp"
 
 namespace superstep {
 namespace {

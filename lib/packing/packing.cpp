@@ -16,6 +16,7 @@ const PackingAttribute* find_attribute(const Packing& packing, const std::string
 }
 
 Bounds surface_bounds(const Packing& packing) {
+  if (packing.part_of) return packing.part_of->bounds;
   const auto corner = [&](std::size_t k, double sign) {
     const double r = sign * packing.radius[k];
     return packing.centre[k] + Vec3{r, r, r};

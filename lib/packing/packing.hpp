@@ -2,6 +2,7 @@
 /// A packing of spheres: what every network is built from.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,20 @@ namespace superstep {
 struct PackingAttribute {
   std::string name;           ///< as the file writes it
   std::vector<double> value;  ///< [n]; NaN where the file has no number
+};
+
+/// Axis-aligned box around points or spheres [m].
+struct Bounds {
+  Vec3 min, max;
+};
+
+/// What a packing is a part of, where others have the rest.
+struct PackingPart {
+  Bounds bounds;               ///< m, around the surfaces of all spheres
+  std::int64_t particles = 0;  ///< all there are; their ids are 0, 1, 2, ...
+  /// Selections that were looked at, by their place in the case, and whether they hold anybody here: a
+  /// selection must hold somebody somewhere.
+  mutable std::map<std::string, bool> selections;
 };
 
 /// n spheres, structure of arrays, SI units.
@@ -31,19 +46,16 @@ struct Packing {
   std::string format;                        ///< what the file is, in words; empty for a packing from no file
   std::vector<std::string> notes;            ///< how the file was understood
   std::vector<std::string> warnings;         ///< what its user should look at
+  bool in_order = false;  ///< spheres that touch stand near each other: nobody need look for a better order
+  std::optional<PackingPart> part_of;  ///< where others have the rest of it
 
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
-};
-
-/// Axis-aligned box around points or spheres [m].
-struct Bounds {
-  Vec3 min, max;
 };
 
 /// The attribute of that name, upper and lower case being the same; nullptr where there is none.
 [[nodiscard]] const PackingAttribute* find_attribute(const Packing& packing, const std::string& name);
 
-/// Box around the surfaces of all spheres. The packing must not be empty.
+/// Box around the surfaces of all spheres, those that others have included. The packing must not be empty.
 [[nodiscard]] Bounds surface_bounds(const Packing& packing);
 
 /// Sum of the sphere volumes [m^3]; overlaps count twice, as in the relative density of the source paper.

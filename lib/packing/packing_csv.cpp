@@ -7,24 +7,31 @@
 
 namespace superstep {
 
-std::string packing_csv(const Packing& packing) {
-  const bool has_materials = !packing.material_names.empty();
+std::string packing_csv_head(const Packing& packing) {
+  std::string text = fmt::format("# length_unit = \"m\"\n{}id,x,y,z,radius{}",
+                                 packing.cell ? cell_comment(*packing.cell) : "",
+                                 packing.material_names.empty() ? "" : ",material");
+  for (const auto& attribute : packing.attributes) text += fmt::format(",\"{}\"", attribute.name);
+  return text + "\n";
+}
+
+std::string packing_csv_rows(const Packing& packing) {
   fmt::memory_buffer text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "# length_unit = \"m\"\n{}id,x,y,z,radius{}",
-                 packing.cell ? cell_comment(*packing.cell) : "", has_materials ? ",material" : "");
-  for (const auto& attribute : packing.attributes) fmt::format_to(out, ",\"{}\"", attribute.name);
-  text.push_back('\n');
   for (std::size_t k = 0; k < packing.size(); ++k) {
     const auto [x, y, z] = packing.centre[k];
     // "{}" writes the shortest text that reads back as the same double.
     fmt::format_to(out, "{},{},{},{},{}", packing.id[k], x, y, z, packing.radius[k]);
-    if (has_materials)
+    if (!packing.material_names.empty())
       fmt::format_to(out, ",{}", packing.material_names[static_cast<std::size_t>(packing.material[k])]);
     for (const auto& attribute : packing.attributes) fmt::format_to(out, ",{}", attribute.value[k]);
     text.push_back('\n');
   }
   return fmt::to_string(text);
+}
+
+std::string packing_csv(const Packing& packing) {
+  return packing_csv_head(packing) + packing_csv_rows(packing);
 }
 
 }  // namespace superstep

@@ -33,5 +33,8 @@ void apply_box(const PackingOptions& options, const std::string& path, Packing& 
 /// CSV text `id,x,y,z,radius[,material][,attributes]` in metres, which its first line states, with enough
 /// digits to read back the same contacts; comments at its top state the cell.
 [[nodiscard]] std::string packing_csv(const Packing& packing);
+/// Its head, and its lines, for one that is written in parts.
+[[nodiscard]] std::string packing_csv_head(const Packing& packing);
+[[nodiscard]] std::string packing_csv_rows(const Packing& packing);
 
 }  // namespace superstep

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "core/text/text_file.hpp"
 #include "results/text/csv_table.hpp"
 #include "results/text/csv_text.hpp"
 
@@ -31,11 +31,6 @@ void append_frame(Buffer& out, const std::string& case_name, const Slice& slice,
     append(out, "{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.7g}\n", head, s.id, s.across, s.height, s.depth,
            s.radius, frame.value[k]);
   }
-}
-
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
 }
 
 void read_histories(const std::string& path, std::map<std::string, CaseObservations>& out) {
@@ -116,8 +111,8 @@ std::string snapshots_csv(std::span<const BenchCase> cases) {
 
 std::map<std::string, CaseObservations> read_observations(const std::string& folder) {
   std::map<std::string, CaseObservations> out;
-  if (exists(folder + "/histories.csv")) read_histories(folder + "/histories.csv", out);
-  if (exists(folder + "/snapshots.csv")) read_snapshots(folder + "/snapshots.csv", out);
+  if (is_regular_file(folder + "/histories.csv")) read_histories(folder + "/histories.csv", out);
+  if (is_regular_file(folder + "/snapshots.csv")) read_snapshots(folder + "/snapshots.csv", out);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/text/text_file.hpp"
 #include "results/text/csv_table.hpp"
 #include "results/text/json_object.hpp"
 #include "results/thinning.hpp"
@@ -174,17 +175,12 @@ void read_frames(const std::string& folder, const JsonObject& motion, MotionInpu
   }
 }
 
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
-}
-
 }  // namespace
 
 std::optional<MotionInput> read_motion(const std::string& folder) {
   const std::string path = folder + "/run.json", history_path = folder + "/history.csv";
   const Json json = parse_json_file(path);
-  if (!json.is_object() || !json.contains("motion") || !exists(history_path)) return std::nullopt;
+  if (!json.is_object() || !json.contains("motion") || !is_regular_file(history_path)) return std::nullopt;
   const History all(history_path);
   MotionInput motion;
   motion.history = thinned(all);

@@ -33,6 +33,10 @@ class NetworkRhs final : public Rhs {
   [[nodiscard]] const Network& network() const noexcept { return field_->network(); }
   /// See FieldOperator::assume_cache.
   void assume_cache(std::size_t bytes) noexcept { field_->assume_cache(bytes); }
+  /// See FieldOperator::forget_pattern.
+  void forget_network() { field_->forget_pattern(); }
+  /// Entries of the rows that are here, padding included.
+  [[nodiscard]] std::size_t entries() const noexcept { return field_->entries(); }
   /// Rates [n] added to f from now on [K/s or V/s]; they must outlive their use. Empty = none.
   void drive(std::span<const double> rate);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/text/text_file.hpp"
 #include "results/read_motion.hpp"
 #include "results/results_json.hpp"
 #include "results/thinning.hpp"
@@ -20,11 +21,6 @@ struct KnownField {
   const char* unit;
 };
 constexpr KnownField known_fields[] = {{"potential", "V"}, {"temperature", "K"}};
-
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
 
 std::vector<ProbeCurve> read_probes(const std::string& path, const std::string& spec) {
   std::vector<ProbeCurve> curves;
@@ -83,8 +79,8 @@ RunInput read_run(const std::string& folder, const std::string& name) {
                .motion = read_motion(folder)};
   const auto& record = run.record;
   const std::string spec = record.integrator + (record.params.empty() ? "" : ":" + record.params);
-  if (exists(folder + "/probes.csv")) run.curves = read_probes(folder + "/probes.csv", spec);
-  if (!run.motion && exists(folder + "/final.csv"))
+  if (is_regular_file(folder + "/probes.csv")) run.curves = read_probes(folder + "/probes.csv", spec);
+  if (!run.motion && is_regular_file(folder + "/final.csv"))
     run.slice = read_final(folder + "/final.csv", spec, record.t_end);
   return run;
 }
@@ -93,11 +89,12 @@ RunInput read_run(const std::string& folder, const std::string& name) {
 
 std::vector<RunInput> read_runs(const std::string& folder) {
   std::vector<RunInput> runs;
-  if (exists(folder + "/run.json")) runs.push_back(read_run(folder, "."));
+  if (is_regular_file(folder + "/run.json")) runs.push_back(read_run(folder, "."));
   std::vector<std::string> below;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (exists(entry.path().string() + "/run.json")) below.push_back(entry.path().filename().string());
+    if (is_regular_file(entry.path().string() + "/run.json"))
+      below.push_back(entry.path().filename().string());
   std::sort(below.begin(), below.end());
   for (const auto& name : below) runs.push_back(read_run(folder + "/" + name, name));
   return runs;

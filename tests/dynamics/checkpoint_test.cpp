@@ -178,6 +178,13 @@ TEST(CheckpointFile, RefusesWhatIsNotOne) {
   EXPECT_THROW((void)read_checkpoint(folder.write("text.bin", "id,x,y\n")), InputError);
   EXPECT_THROW((void)read_checkpoint(folder.write("short.bin", image.substr(0, image.size() / 2))),
                InputError);
+  std::string older = image;
+  const std::size_t digit = std::string("superstep checkpoint ").size();
+  older[digit] = '2';
+  const std::string message =
+      test::message_of<InputError>([&] { (void)read_checkpoint(folder.write("older.bin", older)); });
+  EXPECT_NE(message.find("is a checkpoint of version 2, and this program reads version"), std::string::npos)
+      << message;
   std::string flipped = image;
   flipped[image.size() / 2] = static_cast<char>(flipped[image.size() / 2] ^ 1);
   EXPECT_THROW((void)read_checkpoint(folder.write("flipped.bin", flipped)), InputError);

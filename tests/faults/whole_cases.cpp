@@ -3,47 +3,10 @@
 #include <fmt/format.h>
 
 #include "network/generators/network_generator.hpp"
+#include "whole_case_files.hpp"
 
 namespace superstep::test {
 namespace {
-
-/// 27 equal spheres of radius 1 mm, 1.9 mm apart; the middle layer has the ids 9 to 17.
-void write_lattice(const CaseFolder& folder) {
-  std::string plain = "id,x,y,z,radius\n", named = "id,x,y,z,radius,material\n", necks = "i,j,radius\n";
-  for (int id = 0; id < 27; ++id) {
-    const std::string row =
-        fmt::format("{},{},{},{},1", id, 1.9 * (id % 3), 1.9 * (id / 3 % 3), 1.9 * (id / 9));
-    plain += row + "\n";
-    named += fmt::format("{},{}\n", row, "abc"[id / 9]);
-    if (id >= 9) necks += fmt::format("{},{},0.3\n", id - 9, id);
-  }
-  folder.write("lattice.csv", plain);
-  folder.write("named.csv", named);
-  folder.write("necks.csv", necks);
-  std::string start = "id,temperature,potential\n";
-  for (int id = 0; id < 27; ++id) start += fmt::format("{},300.5,0.0\n", id);
-  folder.write("start.csv", start);
-  folder.write("bonds.csv", "i,j,radius\n0,1,0.2\n0,4,0.2\n");
-  folder.write("profile.csv", "t,P\n0,1\n0.5,2\n0.5,1\n2,1\n");
-}
-
-/// Four spheres in a row, as LAMMPS writes them.
-void write_grains(const CaseFolder& folder) {
-  std::string text = "title\n\n4 atoms\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms\n\n";
-  for (int id = 1; id <= 4; ++id) text += fmt::format("{} 1 4.5 4.5 {} 2.0 2500\n", id, 1.9 * id);
-  folder.write("grains.data", text);
-}
-
-void write_networks(const CaseFolder& folder) {
-  folder.write(
-      "K.mtx",
-      "%%MatrixMarket matrix coordinate real symmetric\n4 4 7\n1 1 1\n2 1 -1\n2 2 2.5\n3 2 -1\n3 3 2\n"
-      "4 3 -1\n4 4 1\n");
-  folder.write("start4.csv", "id,value\n1,0\n2,1\n3,2\n4,3\n");
-  folder.write("pores.csv",
-               "pore.coords[0],pore.left,pore.volume,throat.conns[0],throat.conns[1],throat.k\n"
-               "0,True,1,0,1,2\n1,False,2,1,2,3\n2,False,3,,,\n");
-}
 
 Tree head() {
   return Tree::parse(R"({ "title": "whole", "source": "a test", "t_end": 1.0, "output_times": [0.5, 1.0] })");
@@ -170,6 +133,15 @@ Tree generated_grid(const Tree& packing) {
     "electric": { "conductivity": 1e3, "specific_capacity": 1e3 } } ])");
   tree["thermal"] = Tree::parse(R"({ "initial": 300.0, "fixed": [ { "where": "top", "value": 310.0 } ] })");
   tree["electric"] = Tree::parse(R"({ "initial": 0.0, "fixed": [ { "where": "top", "value": 1e-6 } ] })");
+  return tree;
+}
+
+Tree generated_lattice(const Tree& packing) {
+  Tree tree = generated_grid(packing);
+  tree.erase("materials");
+  tree["material"] = {{"density", 1000.0}};
+  tree["thermal"].update({{"conductivity", 10.0}, {"specific_heat", 100.0}});
+  tree["electric"].update({{"conductivity", 1e3}, {"specific_capacity", 1e3}});
   return tree;
 }
 
@@ -306,9 +278,7 @@ Tree press_with_necks() {
 }  // namespace
 
 std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
-  write_lattice(folder);
-  write_grains(folder);
-  write_networks(folder);
+  write_files_of_cases(folder);
   const Tree cylinder = Tree::parse(R"({ "generator": "cylinder", "length_unit": "mm", "diameter": 4.0,
     "height": 5.0, "relative_density": 0.5, "count": 40, "seed": 2,
     "sizes": { "distribution": "lognormal", "min": 0.3, "max": 2.0, "sigma": 0.4, "median": 1.0 },
@@ -319,6 +289,8 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
   const Tree grid = Tree::parse(R"({ "generator": "grid", "length_unit": "mm", "count": 27, "spacing": 1.0,
     "jitter": 0.02, "seed": 2, "materials": ["a"], "shares": [1.0],
     "sizes": { "distribution": "uniform", "min": 1.05, "max": 1.1 } })");
+  const Tree lattice = Tree::parse(R"({ "generator": "lattice", "length_unit": "mm", "cells": [3, 3, 3],
+    "spacing": 1.0, "diameter": 1.05 })");
   Tree listed = box;
   listed["sizes"] =
       Tree::parse(R"({ "distribution": "list", "diameters": [0.8, 1.2], "weights": [1.0, 2.0] })");
@@ -332,6 +304,7 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"matrix", CaseKey::network, matrix()},
           {"pores", CaseKey::network, pores()},
           {"grid", CaseKey::packing, generated_grid(grid)},
+          {"cubic", CaseKey::packing, generated_lattice(lattice)},
           {"network", CaseKey::network, network(folder)},
           {"generated", CaseKey::network, generated_network(listed_table)},
           {"driven", CaseKey::network, generated_network(table_in_file)},

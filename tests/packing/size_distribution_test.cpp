@@ -1,4 +1,4 @@
-#include "packing/size_distribution.hpp"
+#include "packing/relaxation/size_distribution.hpp"
 
 #include <gtest/gtest.h>
 

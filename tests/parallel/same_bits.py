@@ -37,6 +37,9 @@ METHODS = {
     "electrodes": (["rkc:rtol=1e-3", "exponential:rtol=1e-4"], []),
     "steady_potential": (SOME + EXPONENTIAL, DIRECT),
     "moving_potential": ([], ["rkc:rtol=1e-3"]),
+    "lattice": (EXPLICIT + EXPONENTIAL + ITERATIVE, []),
+    "lattice_radiating": (EXPLICIT, []),
+    "lattice_varying": (SOME, DIRECT),  # one process reads it for all
     "hub": (EXPLICIT + EXPONENTIAL + ITERATIVE, DIRECT),
 }
 COUNTS = ["steps", "rejected", "rhs", "jacobians", "factorizations", "solves", "max_stages"]
@@ -125,6 +128,30 @@ def check_errors(runner):
         runner.faults.append(f"unstable: exit {together.returncode}: {together.stdout} instead of {alone.stdout}")
 
 
+def check_layers(runner):
+    """A lattice that processes build together: nobody has the whole of it, and what needs that says so."""
+    for arguments, code, said in [
+            (["--integrator", "trapezoidal:rtol=1e-2,solver=klu"], 4, "nobody has the whole"),
+            (["--verify", "--integrator", "rkc:rtol=1e-2"], 0, "rms of"),
+            (["--vtk", "--integrator", "rkc:rtol=1e-2"], 0, "ok")]:
+        done = runner.call(3, ["run", "lattice.toml", "--out", f"{runner.folder}/layers", "--block-rows", BLOCK] + arguments)
+        if done.returncode != code or said not in done.stdout.decode():
+            runner.faults.append(f"lattice {arguments}: exit {done.returncode}: {done.stdout.decode()[-300:]} "
+                                 f"{done.stderr.decode()[-300:]}")
+    for wrong, said in [("where = \"top\"", "where = { box = { min = [0, 0, 70], max = [9, 9, 90] } }"),
+                        ("where = \"top\"", "where = { ids = [1200] }"), ("where = \"top\"", "where = { ids = [1] }"),
+                        ("spacing", "spacin"), ("initial = 300.0", "initial = 300.0\nradiance = 1")]:
+        with open(f"{runner.folder}/lattice.toml") as file:
+            text = file.read().replace(wrong, said)
+        with open(f"{runner.folder}/lattice_wrong.toml", "w") as file:
+            file.write(text)
+        alone, together = (runner.call(processes, ["run", "lattice_wrong.toml"]) for processes in (1, 3))
+        if together.returncode != 3 or alone.stderr not in together.stderr or \
+                together.stderr.decode().count("superstep: error: ") != 1:
+            runner.faults.append(f"lattice with {said}: exit {together.returncode}: {together.stderr.decode()[-300:]} "
+                                 f"instead of {alone.stderr.decode()[-300:]}")
+
+
 def check_counters(runner):
     """What lib/parallel says that is sent and added up, step by step, on a ring: at every cut each side wants two
     values of the other, in one message."""
@@ -161,6 +188,7 @@ def main():
         for block in ("4096", "512"):
             for scene in ("linear", "hub"):
                 runner.compare(scene, 4, 1, block)
+        check_layers(runner)
         check_counters(runner)
         check_errors(runner)
     print(f"{runner.compared} results compared, {len(runner.faults)} faults")

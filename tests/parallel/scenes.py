@@ -35,6 +35,26 @@ mode = "{mode}"
 conductivity = {conductivity}
 """
 
+# Every process builds its own layers of these: diagonal contacts too, where spheres are large.
+LATTICE = """
+t_end = {t_end}
+output_times = [{early}, {t_end}]
+probe = ["mid-height", 17, 1]
+
+[packing]
+generator = "lattice"
+cells = {cells}
+spacing = 1.0
+diameter = {diameter}
+length_unit = "mm"
+
+[material]
+density = 7800.0
+
+[contact]
+neck = "hertz"
+"""
+
 LINE = '{ law = "linear", value = 50.0, coefficient = -1e-3, reference = 300.0 }'
 SIGMOID = '{ law = "sigmoid", value = 1e4, amplitude = 1.5, steepness = 0.05, reference = 380.0 }'
 RAMP = "{ times = [0.0, 1.0, 1.0, 4.0], values = [300.0, 500.0, 420.0, 300.0] }"
@@ -114,6 +134,18 @@ def scenes():
         "moving_potential": case(4.0, ELECTRIC.format(mode="steady", conductivity=SIGMOID) +
                                  ENDS.format(top=4.0, bottom=0.0) + cold +
                                  'fixed = [ { where = { layer = { side = "bottom", thickness = 0.9 } }, value = 300.0 } ]\n'),
+        "lattice": LATTICE.format(t_end=4.0, early=1.0, cells=[6, 5, 40], diameter=1.02) +
+                   THERMAL.format(conductivity=50.0, initial=300.0) +
+                   f'fixed = [ {{ where = "top", value = 400.0 }}, {{ where = "bottom", value = 300.0 }},\n'
+                   f'          {{ where = {{ ids = {list(range(500, 566))} }}, value = 350.0 }} ]\n'
+                   'source = [ { where = { layer = { side = "+x", thickness = 0.9 } }, value = 0.02 } ]\n',
+        "lattice_radiating": LATTICE.format(t_end=8.0, early=2.0, cells=[9, 7, 11], diameter=1.5) +
+                             THERMAL.format(conductivity=50.0, initial=1200.0) +
+                             'convection = [ { where = "all", coefficient = 200.0, ambient = 300.0 } ]\n'
+                             'radiation = [ { where = "top", emissivity = 0.8, ambient = 500.0 } ]\n',
+        "lattice_varying": LATTICE.format(t_end=4.0, early=1.0, cells=[6, 5, 40], diameter=1.02) +
+                           THERMAL.format(conductivity=LINE, initial=300.0) +
+                           'fixed = [ { where = "top", value = 400.0 }, { where = "bottom", value = 300.0 } ]\n',
         "hub": 't_end = 3.0\noutput_times = [1.0, 3.0]\nprobe = [444, 899]\n'
                '[network]\nnodes = "nodes.csv"\nedges = "edges.csv"\n',
         "ring": 't_end = 100.0\nprobe = [5]\n[network]\nnodes = "ring_nodes.csv"\nedges = "ring_edges.csv"\n',

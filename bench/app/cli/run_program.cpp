@@ -9,7 +9,7 @@
 #include "bench/app/commands.hpp"
 #include "bench/host/machine.hpp"
 #include "bench/host/terminal.hpp"
-#include "bench/measure/worker.hpp"
+#include "bench/measure/shared/worker.hpp"
 #include "core/error.hpp"
 #include "parallel/communicator.hpp"
 

@@ -107,11 +107,12 @@ std::string history_csv(const Press& one, std::span<const HistoryRow> history) {
   fmt::format_to(
       to,
       "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,"
-      "contacts,step,iterations,rejections\n");
+      "contacts,step,iterations,rejections,landed\n");
   for (const auto& row : history)
-    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, csv_cell(phase_name(one, row)),
+    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, csv_cell(phase_name(one, row)),
                    row.volume_fraction, row.mean_temperature, row.max_temperature, row.wall_force,
-                   row.kinetic_energy, row.bonds, row.contacts, row.step, row.iterations, row.rejections);
+                   row.kinetic_energy, row.bonds, row.contacts, row.step, row.iterations, row.rejections,
+                   row.landed);
   return fmt::to_string(out);
 }
 

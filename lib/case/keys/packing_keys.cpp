@@ -51,7 +51,7 @@ void list_common_keys(KeyList& keys) {
       .fallback = "auto";
   keys.number("ambient", any_number, "K or V", "of surroundings, to which row sums of a Laplacian lead")
       .fallback = "0";
-  keys.text("openpnm", "or a pore network in CSV");
+  keys.text("openpnm", "or a pore network in CSV or VTP");
   keys.text("conductance", "openpnm: the column of throats that conducts");
   keys.number("capacity", no_less_than_zero, "J/K or F",
               "without nodes: of all, or a file, or openpnm's column")
@@ -100,7 +100,8 @@ void list_packing_keys(KeyList& keys) {
   keys.in("", CaseKey::packing).table("packing", "where the particles come from");
   keys.in("packing", CaseKey::packing);
   keys.text("file", "packing file: CSV, LAMMPS, LIGGGHTS, Yade, MercuryDPM, XYZ, VTK");
-  keys.text("generator", "or a container that is filled", {"cylinder", "box", "grid"});
+  keys.text("generator", "or a container that is filled, or a cubic lattice",
+            {"cylinder", "box", "grid", "lattice"});
   keys.text("length_unit", "of the packing and of selections", {"m", "cm", "mm", "um", "nm"}).fallback = "m";
   keys.text("units", "unit style of the code that wrote the file",
             {"auto", "lj", "real", "metal", "si", "cgs", "electron", "micro", "nano"})
@@ -116,7 +117,7 @@ void list_packing_keys(KeyList& keys) {
       "auto";
   keys.text("atom_style", "LAMMPS data: the order of the columns of Atoms, as in hybrid sphere bond");
   keys.list("columns", CaseKey::text, "names of the columns, for files that do not name them");
-  keys.number("diameter", positive_number, "length_unit", "of a cylinder");
+  keys.number("diameter", positive_number, "length_unit", "of a cylinder; lattice: of the spheres");
   keys.number("width", positive_number, "length_unit", "of a box");
   keys.number("depth", positive_number, "length_unit", "of a box");
   keys.number("height", positive_number, "length_unit", "of either");
@@ -126,7 +127,8 @@ void list_packing_keys(KeyList& keys) {
                "lognormal: spheres, and the median follows; grid: spheres, or nearly")
       .fallback = "0: as many as the density asks for";
   keys.integer("seed", no_less_than_zero, "of the random numbers").fallback = "1";
-  keys.number("spacing", positive_number, "length_unit", "grid: of the centres");
+  keys.number("spacing", positive_number, "length_unit", "grid, lattice: of the centres");
+  keys.list("cells", CaseKey::integer, "lattice: spheres along x, y and z");
   keys.number("jitter", {.min = 0, .max = 0.5}, "", "grid: shift of the centres over the spacing").fallback =
       "0";
   keys.list("materials", CaseKey::text, "grid: names, drawn by chance");

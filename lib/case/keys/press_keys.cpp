@@ -22,6 +22,7 @@ void list_stepping(KeyList& keys) {
   keys.in("dynamics", CaseKey::press).table("stepping", "how time is stepped");
   keys.in("dynamics.stepping", CaseKey::press);
   keys.text("scheme", "of the motion", {"staggered", "plain"}).fallback = "staggered";
+  keys.text("control", "of the step", {"steady", "paper"}).fallback = "steady";
   keys.number("phi", part, "", "0 explicit, 1 implicit, 0.5 second order").fallback = "0.5";
   keys.integer("iterations", {.min = 2, .max = 1000}, "wanted in a step").fallback = "10";
   keys.number("tolerance_position", positive_number, "", "of the iteration").fallback = "5e-4";
@@ -54,6 +55,14 @@ void list_fields(KeyList& keys) {
   keys.number("conductivity", positive_number, "S/m", "of the particles");
   keys.number("absorption", part, "", "of the heat of the current").fallback = "1";
   keys.number("tolerance", positive_number, "", "of the solver").fallback = "1e-10";
+  keys.table("saturation", "of the conductivity with temperature and field");
+  for (const char* key : {"saturation.thermal", "saturation.field"})
+    keys.number(key, no_less_than_zero, "", "what it gains at most, in conductivities").fallback = "0";
+  keys.number("saturation.thermal_slope", no_less_than_zero, "1/K", "how fast with temperature").fallback =
+      "0";
+  keys.number("saturation.temperature", no_less_than_zero, "K", "of half the gain").fallback = "300";
+  keys.number("saturation.field_slope", no_less_than_zero, "m/V", "how fast with the field").fallback = "0";
+  keys.number("saturation.reference_field", no_less_than_zero, "V/m", "from where on").fallback = "0";
   keys.boolean("hold_temperature", "true", "what touches an electrified wall takes its temperature");
 }
 
@@ -89,8 +98,15 @@ void list_press_keys(KeyList& keys) {
   keys.table("particles", "how many and where");
   keys.integer("particles.count", {.min = 1, .max = 100'000'000}, "particles set at random");
   keys.number("particles.radius", positive_number, "m", "of those");
+  keys.table("particles.sizes", "or their sizes [m]: distribution and its numbers, as in packing.sizes");
   keys.integer("particles.seed", no_less_than_zero, "of the random numbers").fallback = "1";
   keys.list("particles.list", CaseKey::table, "or one table each");
+  keys.text("particles.file", "or a packing in any format");
+  keys.text("particles.length_unit", "of that file").fallback = "m";
+  keys.number("particles.velocity_unit", positive_number, "m/s", "of its velocities").fallback =
+      "its unit of length per second";
+  keys.text("particles.bonds", "CSV with i, j, overlap, growth of its bonds");
+  keys.numbers("particles.shift", 3, any_number, "m", "added to its centres").fallback = "[0, 0, 0]";
   keys.number("particles.max_overlap", proper_part, "", "at the start, of the sum of two radii").fallback =
       "0";
   keys.in("dynamics.particles.list[]", CaseKey::press);
@@ -98,6 +114,7 @@ void list_press_keys(KeyList& keys) {
   keys.number("radius", positive_number, "m", "its radius");
   keys.numbers("velocity", 3, any_number, "m/s", "its velocity").fallback = "[0, 0, 0]";
   keys.number("temperature", no_less_than_zero, "K", "at t = 0").fallback = "thermal.initial";
+  keys.text("material", "one of materials, where there are several");
   list_contact_law(keys, "contact", "force between two particles");
   list_contact_law(keys, "wall", "force between a particle and a wall");
   keys.in("dynamics", CaseKey::press).table("bond", "hot contacts bond; left out = none do");

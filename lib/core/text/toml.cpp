@@ -20,7 +20,7 @@ constexpr std::size_t largest_case_file = 4u
                                           << 20;  // bytes; a case names its data files, it does not hold them
 
 std::string shown_node(const toml::node& node) {
-  if (const auto* text = node.as_string()) return quoted(text->get());
+  if (const auto* text = node.as_string()) return in_quotes(text->get());
   if (node.is_table()) return "a table";
   if (node.is_array()) return "an array";
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
@@ -100,7 +100,7 @@ struct TomlDocument {
   [[noreturn]] void reject_key(const toml::key& key, const std::string& path,
                                std::span<const std::string> valid) const {
     const std::string name(key.str());
-    throw InputError(fmt::format("{}: unknown key {}{}{}", place(key.source()), quoted(name), in(path),
+    throw InputError(fmt::format("{}: unknown key {}{}{}", place(key.source()), in_quotes(name), in(path),
                                  suggestion(name, valid)));
   }
 };

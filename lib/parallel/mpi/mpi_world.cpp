@@ -17,6 +17,8 @@
 namespace superstep {
 namespace {
 
+/// What failed is said and not gone on with: MPI ends all processes for most errors, but not for those of
+/// sums that go on in the background, which would look like a result.
 void check(int code, const char* what) {
   if (code != 0) throw std::runtime_error(std::string("MPI: ") + what + " failed");
 }
@@ -29,7 +31,8 @@ void wait_for(std::span<MPI_Request> requests) {
   constexpr unsigned nap = 20;  // microseconds
   int done = 0;
   for (int look = 0; !done; ++look) {
-    MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
+    check(MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE),
+          "MPI_Testall");
     if (!done && look >= looks) ::usleep(nap);
   }
 }
@@ -51,7 +54,7 @@ class StarForest final : public Exchange {
                           nullptr, PETSC_COPY_VALUES, remote, PETSC_OWN_POINTER),
           "PetscSFSetGraph");
     check(PetscSFSetUp(forest_), "PetscSFSetUp");
-    MPI_Comm_dup(MPI_COMM_WORLD, &messages_);
+    check(MPI_Comm_dup(MPI_COMM_WORLD, &messages_), "MPI_Comm_dup");
     prepare_sending();
     prepare_receiving(halo.size());
   }
@@ -67,7 +70,8 @@ class StarForest final : public Exchange {
   void begin(const double* owned, double* halo) override {
     halo_ = halo;
     for (std::size_t k = 0; k < sent_.size(); ++k) sent_[k] = owned[wanted_[k]];
-    if (!requests_.empty()) MPI_Startall(static_cast<int>(requests_.size()), requests_.data());
+    if (!requests_.empty())
+      check(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
   }
   void end() override {
     if (!requests_.empty()) wait_for(requests_);
@@ -86,8 +90,9 @@ class StarForest final : public Exchange {
     sent_.resize(wanted_.size());
     sends_ = static_cast<std::uint64_t>(ranks);
     for (PetscInt k = 0; k < ranks; ++k)
-      MPI_Send_init(sent_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE,
-                    rank[k], 0, messages_, &requests_.emplace_back());
+      check(MPI_Send_init(sent_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE,
+                          rank[k], 0, messages_, &requests_.emplace_back()),
+            "MPI_Send_init");
   }
   void prepare_receiving(std::size_t size) {
     PetscInt ranks = 0;
@@ -97,8 +102,9 @@ class StarForest final : public Exchange {
     received_.resize(size);
     if (ranks > 0) place_.assign(leaf, leaf + offset[ranks]);
     for (PetscInt k = 0; k < ranks; ++k)
-      MPI_Recv_init(received_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]), MPI_DOUBLE,
-                    rank[k], 0, messages_, &requests_.emplace_back());
+      check(MPI_Recv_init(received_.data() + offset[k], static_cast<int>(offset[k + 1] - offset[k]),
+                          MPI_DOUBLE, rank[k], 0, messages_, &requests_.emplace_back()),
+            "MPI_Recv_init");
   }
 
   PetscSF forest_ = nullptr;
@@ -144,33 +150,35 @@ class MpiWorld final : public Communicator {
 
   void send(int to, std::span<const std::byte> bytes) override {
     const auto length = static_cast<std::uint64_t>(bytes.size());
-    MPI_Send(&length, 1, MPI_UINT64_T, to, 0, letters_);
+    check(MPI_Send(&length, 1, MPI_UINT64_T, to, 0, letters_), "MPI_Send");
     for (std::size_t begin = 0; begin < bytes.size(); begin += piece)
-      MPI_Send(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE, to, 0,
-               letters_);
+      check(MPI_Send(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE,
+                     to, 0, letters_),
+            "MPI_Send");
   }
   std::vector<std::byte> receive(int from) override {
     int there = 0;
     constexpr unsigned shortest = 20, longest = 2000;  // microseconds
     for (unsigned wait = shortest; !there; wait = std::min(2 * wait, longest)) {
-      MPI_Iprobe(from, 0, letters_, &there, MPI_STATUS_IGNORE);
+      check(MPI_Iprobe(from, 0, letters_, &there, MPI_STATUS_IGNORE), "MPI_Iprobe");
       if (!there) ::usleep(wait);
     }
     std::uint64_t length = 0;
-    MPI_Recv(&length, 1, MPI_UINT64_T, from, 0, letters_, MPI_STATUS_IGNORE);
+    check(MPI_Recv(&length, 1, MPI_UINT64_T, from, 0, letters_, MPI_STATUS_IGNORE), "MPI_Recv");
     std::vector<std::byte> bytes(length);
     for (std::size_t begin = 0; begin < bytes.size(); begin += piece)
-      MPI_Recv(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE, from,
-               0, letters_, MPI_STATUS_IGNORE);
+      check(MPI_Recv(bytes.data() + begin, static_cast<int>(std::min(piece, bytes.size() - begin)), MPI_BYTE,
+                     from, 0, letters_, MPI_STATUS_IGNORE),
+            "MPI_Recv");
     return bytes;
   }
 
   bool all_arrive(double seconds) override {
     MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Ibarrier(arrivals_, &request);
+    check(MPI_Ibarrier(arrivals_, &request), "MPI_Ibarrier");
     const double end = MPI_Wtime() + seconds;
     for (int arrived = 0;; ::usleep(1000)) {
-      MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+      check(MPI_Test(&request, &arrived, MPI_STATUS_IGNORE), "MPI_Test");
       if (arrived) return true;
       if (MPI_Wtime() > end) return false;
     }
@@ -195,14 +203,16 @@ class MpiWorld final : public Communicator {
 
   void add_up(std::span<std::int64_t> words) override {
     MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Iallreduce(MPI_IN_PLACE, words.data(), static_cast<int>(words.size()), MPI_INT64_T, MPI_SUM,
-                   MPI_COMM_WORLD, &request);
+    check(MPI_Iallreduce(MPI_IN_PLACE, words.data(), static_cast<int>(words.size()), MPI_INT64_T, MPI_SUM,
+                         MPI_COMM_WORLD, &request),
+          "MPI_Iallreduce");
     wait_for({&request, 1});
   }
   void take_largest(std::span<double> values) override {
     MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
-                   MPI_COMM_WORLD, &request);
+    check(MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
+                         MPI_COMM_WORLD, &request),
+          "MPI_Iallreduce");
     wait_for({&request, 1});
   }
   void gather_into(std::span<const double> own, std::span<const std::int64_t> counts,

@@ -14,7 +14,7 @@ using Json = JsonObject::Json;
 std::string shown(const Json& value) {
   if (value.is_array()) return "an array";
   if (value.is_object()) return "an object";
-  return superstep::quoted(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return superstep::in_quotes(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace

@@ -52,13 +52,7 @@ BoundaryRows::BoundaryRows(const Network& network) : halo_(network.halo) {
 }
 
 SlicedRows BoundaryRows::interior_rows(const Network& network) const {
-  std::vector<std::int32_t> column;
-  column.reserve(at(interior_begin_.back()));
-  for (std::size_t row = 0; row < network.size(); ++row)
-    if (interior_begin_[row + 1] > interior_begin_[row])
-      column.insert(column.end(), network.column.begin() + network.row_begin[row],
-                    network.column.begin() + network.row_begin[row + 1]);
-  return {interior_begin_, column};
+  return {interior_begin_, network.column, network.row_begin};
 }
 
 void BoundaryRows::begin(const double* y) {

@@ -29,6 +29,16 @@ class BoundaryRows {
   template <class ValueOf>
   void set_values(const Network& network, const ValueOf& value_of);
 
+  /// Gives back the memory that only new values would need.
+  void forget_pattern() noexcept {
+    interior_begin_ = {};
+    row_begin_ = {};
+  }
+  /// Calls each(row, column, value) for the entries of the boundary's own rows; -1 = a column of somebody
+  /// else.
+  template <class Each>
+  void for_entries(std::size_t rows, const Each& each) const;
+
   /// The halo sets out, and what is here already is copied. Between the two calls y stays as it is.
   void begin(const double* y);
   void end() { halo_->end(); }
@@ -38,6 +48,7 @@ class BoundaryRows {
   void for_interior(std::size_t first, std::size_t last, const Body& body) const;
   /// Slices of the boundary, and where each of them stands among all.
   [[nodiscard]] std::size_t slices() const noexcept { return slice_.size(); }
+  [[nodiscard]] std::size_t entries() const noexcept { return rows_.entries(); }
   [[nodiscard]] std::size_t slice(std::size_t k) const noexcept { return slice_[k]; }
   /// One stage on the boundary's slice number k. The state that it starts from is the copied one.
   void sweep(const Stage& stage, std::size_t k, double* out) const noexcept;
@@ -63,6 +74,18 @@ void BoundaryRows::for_interior(std::size_t first, std::size_t last, const Body&
     if (end == last) return;
     first = end + 1;
     ++next;
+  }
+}
+
+template <class Each>
+void BoundaryRows::for_entries(std::size_t rows, const Each& each) const {
+  for (std::size_t k = 0; k < slice_.size() * lanes; ++k) {
+    const std::size_t own = slice_[k / lanes] * lanes + k % lanes;
+    if (own >= rows) return;
+    rows_.for_row(k, [&](std::int32_t place, double value) {
+      const auto copied = static_cast<std::size_t>(place);
+      each(own, copied < source_.size() ? source_[copied] : -1, value);
+    });
   }
 }
 

@@ -26,14 +26,21 @@ std::span<const Entry> in_rows(const std::vector<Entry>& sorted, std::size_t fir
 }  // namespace
 
 SpectralBounds spectral_bounds(const Network& network) {
-  const auto total = network.total_conductance(), ghost = network.ghost_conductance();
   const std::size_t n = network.size();
   std::vector<double> rate(n + (network.halo ? network.halo->size() : 0));
-  for (std::size_t i = 0; i < n; ++i) rate[i] = total[i] / network.capacity[i];
-  if (network.halo) network.halo->fetch(rate.data(), rate.data() + n);
   SpectralBounds bounds;
+  auto edge = network.ghost_edges.begin();  // they are sorted by row
   for (std::size_t i = 0; i < n; ++i) {
-    bounds.gershgorin = std::max(bounds.gershgorin, (2 * total[i] - ghost[i]) / network.capacity[i]);
+    double ghost = 0;
+    for (; edge != network.ghost_edges.end() && at(edge->row) == i; ++edge) ghost += edge->conductance;
+    double total = ghost;
+    for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k)
+      total += network.conductance[at(k)];
+    rate[i] = total / network.capacity[i];
+    bounds.gershgorin = std::max(bounds.gershgorin, (2 * total - ghost) / network.capacity[i]);
+  }
+  if (network.halo) network.halo->fetch(rate.data(), rate.data() + n);
+  for (std::size_t i = 0; i < n; ++i) {
     bounds.edge = std::max(bounds.edge, rate[i]);
     for (auto k = network.row_begin[i]; k < network.row_begin[i + 1]; ++k)
       bounds.edge = std::max(bounds.edge, rate[i] + rate[at(network.column[at(k)])]);
@@ -84,6 +91,13 @@ void FieldOperator::set_conductances(std::span<const double> edges, std::span<co
   ghosts_.clear();
   for (const auto& edge : network_.ghost_edges)
     ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
+}
+
+void FieldOperator::forget_pattern() {
+  network_.row_begin = {};
+  network_.column = {};
+  network_.conductance = {};
+  if (boundary_) boundary_->forget_pattern();
 }
 
 void FieldOperator::set_ghost_conductances(std::span<const std::int32_t> edges,

@@ -46,6 +46,10 @@ class FieldOperator {
 
   [[nodiscard]] std::size_t size() const noexcept { return network_.size(); }
   [[nodiscard]] const Network& network() const noexcept { return network_; }
+  /// Entries that a sweep passes over, padding included.
+  [[nodiscard]] std::size_t entries() const noexcept {
+    return rate_.entries() + (boundary_ ? boundary_->entries() : 0);
+  }
 
   /// out = stage with f = the whole right-hand side of the field at (t, y1). One sweep.
   void stage(double t, const Stage& stage, double* out);
@@ -91,6 +95,9 @@ class FieldOperator {
 
   /// New conductances on the same graph [nnz] and of the ghost edges [ghost edges], W/K or S.
   void set_conductances(std::span<const double> edges, std::span<const double> ghost_edges);
+  /// Gives back the memory of conductances, of which sweeps have rates of their own: the network has no rows
+  /// any more, and no new conductances can be set.
+  void forget_pattern();
   /// Of some ghost edges: `edges` says which of `conductance` [ghost edges] are new.
   void set_ghost_conductances(std::span<const std::int32_t> edges, std::span<const double> conductance);
 
@@ -121,6 +128,9 @@ class FieldOperator {
   /// With what sources supply.
   [[nodiscard]] double total_inflow(double t, RowInflow& sum) const;
 
+  /// The conduction of a Jacobian, from the rates alone.
+  template <class Add>
+  void add_rates(Add& add) const;
   /// One stage on all slices, conduction alone; finish(first, last) then does what else is to be done to
   /// rows.
   template <class Finish>
@@ -173,8 +183,23 @@ void FieldOperator::sweep_all(const Stage& stage, double* out, const Finish& fin
 }
 
 template <class Add>
+void FieldOperator::add_rates(Add& add) const {
+  std::vector<double> diagonal(size(), 0.0);
+  const auto enter = [&](std::size_t row, std::int32_t column, double rate) {
+    diagonal[row] -= rate;
+    const auto there = static_cast<std::size_t>(column);
+    add(row, column >= 0 && there < size() ? there : column_elsewhere, rate);
+  };
+  for (std::size_t i = 0; i < size(); ++i)
+    rate_.for_row(i, [&](std::int32_t column, double rate) { enter(i, column, rate); });
+  if (boundary_) boundary_->for_entries(size(), enter);
+  for (std::size_t i = 0; i < size(); ++i) add(i, i, diagonal[i]);
+}
+
+template <class Add>
 void FieldOperator::jacobian(std::span<const double> y, Add add) const {
-  for (std::size_t i = 0; i < size(); ++i) {
+  if (network_.row_begin.empty()) add_rates(add);
+  for (std::size_t i = 0; i + 1 < network_.row_begin.size(); ++i) {
     double diagonal = 0;
     for (auto k = network_.row_begin[i]; k < network_.row_begin[i + 1]; ++k) {
       const double rate = network_.conductance[static_cast<std::size_t>(k)] / network_.capacity[i];

@@ -22,7 +22,11 @@ class SlicedRows {
 
   SlicedRows() = default;
   /// Takes a pattern of compressed rows [rows+1], [nnz]; all values are 0 until `set_values`.
-  SlicedRows(std::span<const std::int64_t> row_begin, std::span<const std::int32_t> column);
+  SlicedRows(std::span<const std::int64_t> row_begin, std::span<const std::int32_t> column)
+      : SlicedRows(row_begin, column, row_begin) {}
+  /// The same of columns that stand elsewhere: those of a row from `first_column[row]` on.
+  SlicedRows(std::span<const std::int64_t> row_begin, std::span<const std::int32_t> column,
+             std::span<const std::int64_t> first_column);
 
   /// value_of(row, k) for entry k of the compressed pattern that the rows were built from.
   template <class ValueOf>
@@ -38,6 +42,13 @@ class SlicedRows {
   [[nodiscard]] const std::int64_t* begin() const noexcept { return begin_.data(); }  ///< [slices+1]
   [[nodiscard]] const std::int32_t* column() const noexcept { return column_.get(); }
   [[nodiscard]] const double* value() const noexcept { return value_.get(); }
+  /// Calls each(column, value) for the entries of a row that have a value.
+  template <class Each>
+  void for_row(std::size_t row, const Each& each) const {
+    const auto longest = static_cast<std::size_t>(begin_[row / lanes + 1] - begin_[row / lanes]) / lanes;
+    for (std::size_t entry = 0; entry < longest; ++entry)
+      if (const double value = value_[place(row, entry)]; value != 0) each(column_[place(row, entry)], value);
+  }
 
  private:
   [[nodiscard]] std::size_t place(std::size_t row, std::size_t entry) const noexcept {

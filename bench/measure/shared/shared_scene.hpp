@@ -14,10 +14,15 @@ namespace superstep {
 
 /// What one process has of a scene.
 struct ScenePart {
-  std::unique_ptr<Rhs> rhs;
-  std::vector<double> initial;  ///< [own entries]
-  double entries = 0;           ///< of its networks
-  std::uint64_t scene = 0;      ///< identity of the whole right-hand side, on the root
+  std::shared_ptr<Rhs> rhs;
+  std::span<const double> initial;   ///< [own entries]
+  std::vector<double> kept_initial;  ///< where nobody else keeps them
+  double entries = 0;                ///< of its networks
+  std::uint64_t scene = 0;           ///< identity of the scene's right-hand side, on the root
+
+  bool in_layers = false;           ///< nobody has the whole
+  std::shared_ptr<Scene> layered;   ///< then, but for the root: what this process has
+  std::vector<double> final_state;  ///< and the state at the end of the last run
 };
 
 /// Whether the scene's rows can be shared. Where not, one process has to do all.

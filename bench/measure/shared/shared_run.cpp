@@ -1,4 +1,4 @@
-#include "bench/measure/shared_run.hpp"
+#include "bench/measure/shared/shared_run.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,9 @@
 #include "bench/host/interrupt.hpp"
 #include "bench/host/terminal.hpp"
 #include "bench/measure/run_over.hpp"
-#include "bench/measure/worker.hpp"
+#include "bench/measure/shared/worker.hpp"
 #include "core/error.hpp"
+#include "core/stopwatch.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
@@ -118,13 +119,15 @@ void add_up_costs(const Traffic& before, double entries, RunResult& result) {
   for (double* cpu : {&result.cpu_pilot, &result.cpu_prepare, &result.cpu_stepping})
     *cpu = sum_over_all(*cpu);
   for (double* wall : {&result.wall_prepare, &result.wall_stepping}) *wall = world().max(*wall);
+  result.peak_memory_mb = sum_over_all(peak_memory_megabytes());
   const double mean = sum_over_all(entries) / world().size();
   result.imbalance = world().max(entries) / std::max(1.0, mean);
 }
 
-/// An exception is either everybody's, or it ends all: the others would wait for ever.
+/// An exception is either everybody's, or it ends all: the others would wait for ever. That memory is short
+/// is rarely everybody's.
 void settle_exception(const Outcome& outcome) {
-  constexpr double patience = 30;  // s
+  const double patience = outcome.reason == out_of_memory ? 1 : 30;  // s
   if (world().all_arrive(patience)) return;
   note("error: ", fmt::format("process {} of {}: {}", world().rank() + 1, world().size(), outcome.reason));
   world().abort(static_cast<int>(ExitCode::numerical));
@@ -146,7 +149,12 @@ Outcome take_part_in(ScenePart& part, const RunOrder& order, const RunRequest& r
     plan.history = &result.history;
   }
   std::function<void(std::size_t, double, std::span<const double>)> observe;
-  if (order.observed)
+  if (part.in_layers)
+    observe = [&](std::size_t output, double t, std::span<const double> state) {
+      if (request.observe) return request.observe(output, t, state);  // the root keeps it as it likes
+      if (output + 1 == order.plan.output_times.size()) part.final_state.assign(state.begin(), state.end());
+    };
+  else if (order.observed)
     observe = [&](std::size_t output, double t, std::span<const double> state) {
       const auto whole = whole_state(*part.rhs, state);
       if (request.observe) request.observe(output, t, whole);

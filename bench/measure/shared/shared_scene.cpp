@@ -1,8 +1,9 @@
-#include "bench/measure/shared_scene.hpp"
+#include "bench/measure/shared/shared_scene.hpp"
 
 #include <utility>
 
-#include "bench/measure/worker.hpp"
+#include "bench/measure/shared/shared_layers.hpp"
+#include "bench/measure/shared/worker.hpp"
 #include "case/build_rhs.hpp"
 #include "network/part.hpp"
 #include "rhs/network_rhs.hpp"
@@ -40,17 +41,19 @@ ScenePart build(LinearPart part, std::size_t block) {
   Network& network = part.network.network;
   network.halo = std::make_shared<Halo>(world(), partition, std::move(part.network.halo));
   const auto entries = static_cast<double>(network.nonzeros());
-  return {.rhs = std::make_unique<NetworkRhs>(std::move(network), part.name, part.unit, part.pair_step),
-          .initial = {},
-          .entries = entries};
+  ScenePart own;
+  own.rhs = std::make_unique<NetworkRhs>(std::move(network), part.name, part.unit, part.pair_step);
+  own.entries = entries;
+  return own;
 }
 
 ScenePart build(NonlinearPart part, std::size_t block) {
   std::size_t entries = part.temperature.network.network.nonzeros();
   if (part.potential) entries += part.potential->network.network.nonzeros();
-  return {.rhs = make_rhs(std::move(part), world(), block),
-          .initial = {},
-          .entries = static_cast<double>(entries)};
+  ScenePart own;
+  own.rhs = make_rhs(std::move(part), world(), block);
+  own.entries = static_cast<double>(entries);
+  return own;
 }
 
 /// Own rows of every field.
@@ -79,7 +82,8 @@ ScenePart share(const Scene& scene, bool linear, const Cut& cut) {
     world().send(to, out.bytes());
   }
   ScenePart own = build(cut(0), block_rows());
-  own.initial = own_state(scene, 0);
+  own.kept_initial = own_state(scene, 0);
+  own.initial = own.kept_initial;
   own.scene = scene.rhs->identity();
   return own;
 }
@@ -88,22 +92,24 @@ template <class Part>
 ScenePart take(Unpacker& in, std::size_t block) {
   Part part;
   unpack(in, part);
-  const auto initial = in.take<std::vector<double>>();
+  auto initial = in.take<std::vector<double>>();
   ScenePart own = build(std::move(part), block);
-  own.initial = initial;
+  own.kept_initial = std::move(initial);
+  own.initial = own.kept_initial;
   return own;
 }
 
 }  // namespace
 
 bool can_be_shared(const Scene& scene) {
-  if (scene.rhs->size() == 0) return false;
+  if (scene.rhs->reduction().total() == 0) return false;
   if (dynamic_cast<const NetworkRhs*>(scene.rhs.get())) return true;
   const auto* nonlinear = dynamic_cast<const NonlinearRhs*>(scene.rhs.get());
   return nonlinear && !nonlinear->solves_for_potential();
 }
 
 ScenePart share_out(const Scene& scene) {
+  if (scene.layers) return part_of_layers(scene);
   if (const auto* whole = dynamic_cast<const NetworkRhs*>(scene.rhs.get())) {
     const auto& view = whole->fields().front();
     return share(scene, true, [&](int rank) {

@@ -1,7 +1,9 @@
-#include "bench/measure/worker.hpp"
+#include "bench/measure/shared/worker.hpp"
 
 #include "bench/host/interrupt.hpp"
-#include "bench/measure/shared_run.hpp"
+#include "bench/measure/shared/shared_layers.hpp"
+#include "bench/measure/shared/shared_run.hpp"
+#include "core/error.hpp"
 
 namespace superstep {
 
@@ -15,6 +17,16 @@ int serve_the_root() {
       case Order::scene:
         part = {};
         part = take_part(in);
+        break;
+      case Order::layers:
+        part = {};
+        try {
+          part = take_layers(in);
+        } catch (const InputError&) {  // the root's, too, and it says so
+        }
+        break;
+      case Order::lines:
+        send_layered_lines(part);
         break;
       case Order::run:
         join_run(part, in);

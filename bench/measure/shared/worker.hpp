@@ -8,7 +8,7 @@
 namespace superstep {
 
 /// First word of what the root sends.
-enum class Order : std::uint8_t { scene, run, end };
+enum class Order : std::uint8_t { scene, layers, run, lines, end };
 
 /// Serves the root until it ends. Returns the exit code.
 [[nodiscard]] int serve_the_root();

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bench/measure/run_one.hpp"
-#include "bench/measure/shared_scene.hpp"
+#include "bench/measure/shared/shared_scene.hpp"
 
 namespace superstep {
 

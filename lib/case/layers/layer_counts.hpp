@@ -1,0 +1,42 @@
+#pragma once
+/// What has to be known of all layers before anybody can build its own.
+
+#include "case/layers/layered_scene.hpp"
+
+namespace superstep {
+
+struct LayerFacts {
+  double low = 0, high = 0;  ///< range of initial and fixed values
+  bool radiates = false, convects = false;
+  std::int64_t fixed = 0;  ///< nodes
+};
+
+/// Counts rows, and finds what the layers have together. Collective. Throws InputError, on all processes the
+/// same.
+[[nodiscard]] LayerFacts count_layers(LayeredNodes& nodes, Communicator& among);
+
+/// Does what may throw InputError on some process; then all throw that of the lowest rank. Collective.
+template <class Work>
+void agreed(Communicator& among, const Work& work);
+
+/// The node that a row belongs to; 0 for the first row, the number of nodes for the one behind the last.
+[[nodiscard]] std::int64_t node_of_row(LayeredNodes& nodes, std::int64_t row);
+
+}  // namespace superstep
+
+#include "core/error.hpp"
+
+namespace superstep {
+
+template <class Work>
+void agreed(Communicator& among, const Work& work) {
+  std::optional<std::string> wrong;
+  try {
+    work();
+  } catch (const InputError& error) {
+    wrong = error.what();
+  }
+  if (const auto first = among.first_of(wrong)) throw InputError(*first);
+}
+
+}  // namespace superstep

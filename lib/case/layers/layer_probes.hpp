@@ -1,0 +1,11 @@
+#pragma once
+/// `probe` of a scene that is built in layers.
+
+#include "case/layers/layered_scene.hpp"
+
+namespace superstep {
+
+/// Fills the scene's probes, and a graph that holds their nodes alone. Throws InputError.
+void read_layer_probes(LayeredNodes& nodes, Scene& scene);
+
+}  // namespace superstep
