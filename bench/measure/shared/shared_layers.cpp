@@ -65,6 +65,7 @@ std::optional<Scene> share_layers(const TomlTable& root) {
   } catch (const std::exception& error) {  // the others would wait for ever
     note("error: ", fmt::format("process 1 of {}: {}", world().size(), error.what()));
     world().abort(static_cast<int>(ExitCode::internal));
+    throw;
   }
 }
 
