@@ -62,7 +62,7 @@ void add_knots(const TimeTable& table, double weight, std::size_t field, std::ve
 }
 
 void FieldOperator::find_facts() {
-  std::vector<double> largest_rate(size(), 0.0);
+  std::vector<double> largest_rate(sources_.empty() && tabled_.empty() ? 0 : size(), 0.0);
   for (const auto& source : sources_) largest_rate[at(source.row)] += std::abs(source.rate);
   const auto& tables = inputs_.tables();
   for (const auto& source : tabled_) {
