@@ -34,6 +34,8 @@ double damping_of(const ContactLaw& law, double push, double strain, double leng
   return normal_damping(law.damping, mass, contact_slope(push, law.exponent, -strain, length));
 }
 
+}  // namespace
+
 double wall_push(const Model& model, const Particles& particles, const WallContact& contact,
                  double particle_temperature) noexcept {
   const double wall_temperature = model.thermal.wall_temperature[at(contact.wall)];
@@ -41,8 +43,6 @@ double wall_push(const Model& model, const Particles& particles, const WallConta
          contact_force(model.wall, contact.strain, contact.area,
                        0.5 * (particle_temperature + wall_temperature));
 }
-
-}  // namespace
 
 double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
                   std::span<const WallContact> walls, double upper_wall_velocity,

@@ -18,6 +18,10 @@ struct Placement {
   double upper_wall_velocity = 0;  ///< m/s, along z
 };
 
+/// Repulsion of a wall without its damping [N], at this temperature of the particle [K].
+[[nodiscard]] double wall_push(const Model& model, const Particles& particles, const WallContact& contact,
+                               double temperature) noexcept;
+
 /// Sum of the forces on each particle [N] (Zohdi 2014, eq. 21): weight, drag, contacts, bonds, walls. Returns
 /// the normal force on the upper wall [N].
 double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
