@@ -52,7 +52,7 @@ LoadedCase load_checked_case(const std::string& file) {
 LoadedCase load_case_to_run(const std::string& file) {
   const double begin = process_cpu_seconds();
   TomlTable root = parse_case(file);
-  auto scene = share_layers(root);
+  auto scene = share_layers(file);
   if (!scene) return load(std::move(root), begin);
   LoadedCase one{.content = std::move(*scene)};
   one.cpu_setup = process_cpu_seconds() - begin;

@@ -63,7 +63,7 @@ PressTableRow released(const Press& bed, const Model& model, const Motion& held,
   return row;
 }
 
-struct Cell {
+struct PressCell {
   double upper_wall, hold, mean = 0, spread = 0, drop = 0, points = 0, poured = 0, pressed = 0, cooling = 0;
   int runs = 0;
 };
@@ -83,8 +83,8 @@ double wall_of(const PressTableRow& row) {
   return row.upper_wall;
 }
 
-Cell cell_of(const std::vector<PressTableRow>& rows, double wall, double hold) {
-  Cell cell{wall, hold};
+PressCell cell_of(const std::vector<PressTableRow>& rows, double wall, double hold) {
+  PressCell cell{wall, hold};
   for (const auto& row : rows) {
     if (row.upper_wall != wall || row.hold != hold || row.status != "ok") continue;
     cell.mean += row.springback();
@@ -182,7 +182,7 @@ std::string press_table_text(const std::vector<PressTableRow>& rows) {
                   "runs", "poured", "pressed", "springback, +- seeds", "porosity below poured", "cools [K]");
   for (const double wall : distinct(rows, wall_of))
     for (const double hold : distinct(rows, hold_of)) {
-      const Cell cell = cell_of(rows, wall, hold);
+      const PressCell cell = cell_of(rows, wall, hold);
       text += fmt::format(
           "{:>14.4g} {:>9.4g} {:>5} {:>8.4f} {:>8.4f} {:>13.4f} +- {:.4f} {:>11.1f} % or {:>5.1f} points "
           "{:>9.1f}\n",
@@ -214,7 +214,7 @@ std::string press_table_svg(const std::vector<PressTableRow>& rows) {
   double low = 1, high = 0;
   for (const double wall : walls)
     for (const double hold : holds) {
-      const Cell cell = cell_of(rows, wall, hold);
+      const PressCell cell = cell_of(rows, wall, hold);
       low = std::min(low, cell.mean);
       high = std::max(high, cell.mean);
     }
@@ -232,7 +232,7 @@ std::string press_table_svg(const std::vector<PressTableRow>& rows) {
     const double y = top + 60 * static_cast<double>(row);
     put(left - 8, y + 34, "end", fmt::format("wall at {:.4g} m", walls[row]));
     for (std::size_t column = 0; column < holds.size(); ++column) {
-      const Cell cell = cell_of(rows, walls[row], holds[column]);
+      const PressCell cell = cell_of(rows, walls[row], holds[column]);
       const double x = left + side * static_cast<double>(column);
       const double part = high > low ? (cell.mean - low) / (high - low) : 0.5;
       out += fmt::format(

@@ -94,6 +94,9 @@ void visit_row(Stream& stream, Row& row, Visit visit) {
   visit(stream, row.step);
   visit(stream, row.iterations);
   visit(stream, row.rejections);
+  for (auto* energy : {&row.wall_work, &row.potential_energy, &row.elastic_energy, &row.dissipated,
+                       &row.joule_heat, &row.heat_lost, &row.heat_content})
+    visit(stream, *energy);
   visit(stream, row.landed);
 }
 

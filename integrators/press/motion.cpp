@@ -43,6 +43,7 @@ void Motion::start(State state) {
   network_.resume(state_, phase);
   network_.settle(state_, phase);
   stepper_->begin(state_);
+  powers_ = powers_of(network_, state_.velocity, state_.temperature);
   record(phase, 0, 0, 0);
 }
 
@@ -57,6 +58,7 @@ void Motion::resume(State state, double next_step, std::vector<HistoryRow> histo
   }
   network_.resume(state_, model_.schedule.at(state_.time));
   stepper_->begin(state_);
+  powers_ = powers_of(network_, state_.velocity, state_.temperature);
 }
 
 Outcome Motion::advance(double t_out) {
@@ -144,15 +146,16 @@ std::size_t Motion::landings_lately(double h) const {
 /// The heat of the current is that of the step's begin all through the step; half of its change makes it the
 /// mean, so that temperatures are of order 2 with currents that change. What jumps at the end was not there
 /// before. True where any temperature changed.
-bool Motion::correct_heat(double h) {
+bool Motion::correct_heat(double h, double& heat_added) {
   const auto heat = network_.current().heat();
   const auto carrying = network_.current().carrying();
   const auto held = network_.held();
   bool changed = false;
   for (std::size_t i = 0; i < heat.size(); ++i) {
     if (held[i] >= 0 || carrying[i] != carrying_begin_[i] || heat[i] == heat_begin_[i]) continue;
-    state_.temperature[i] +=
-        settings_.phi * h * (heat[i] - heat_begin_[i]) / heat_capacity(model_.thermal, particles_, i);
+    const double more = settings_.phi * h * (heat[i] - heat_begin_[i]);
+    state_.temperature[i] += more / heat_capacity(model_.thermal, particles_, i);
+    heat_added += more;
     changed = true;
   }
   return changed;
@@ -170,15 +173,30 @@ void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::i
     heat_begin_.assign(heat.begin(), heat.end());
     carrying_begin_.assign(carrying.begin(), carrying.end());
   }
+  const double content = heat_content(network_, state_.temperature);
   network_.settle(state_, phase);
-  if (corrects && correct_heat(h)) network_.refresh(state_, phase);
+  const double held_back = content - heat_content(network_, state_.temperature);
+  double corrected = 0;
+  if (corrects && correct_heat(h, corrected)) network_.refresh(state_, phase);
   stepper_->begin(state_);
+  const HistoryRow before = history_.empty() ? HistoryRow{} : history_.back();
+  const Powers end = powers_of(network_, state_.velocity, state_.temperature);
   record(phase, h, attempt.iterations, rejections);
-  history_.back().landed = landed ? 1 : 0;
+  HistoryRow& row = history_.back();
+  row.landed = landed ? 1 : 0;
+  const bool staggered = settings_.scheme == SteppingSettings::Scheme::staggered;
+  add_energies(before, powers_, end, h, staggered ? settings_.phi : 0, row);
+  row.joule_heat += corrected;
+  row.heat_lost += held_back;
+  powers_ = end;
   if (const Phase& next = model_.schedule.at(state_.time); &next != &phase) {
     network_.place(state_.position, state_.temperature, next, state_.time);
+    history_.back().heat_lost += heat_content(network_, state_.temperature);
     network_.settle(state_, next);
+    history_.back().heat_content = heat_content(network_, state_.temperature);
+    history_.back().heat_lost -= history_.back().heat_content;
     stepper_->begin(state_);
+    powers_ = powers_of(network_, state_.velocity, state_.temperature);
   }
   if (after_step) after_step();
 }
@@ -224,6 +242,7 @@ void Motion::record(const Phase& phase, double h, std::int64_t iterations, std::
     row.kinetic_energy += 0.5 * particles_.mass[i] * dot(state_.velocity[i], state_.velocity[i]);
   }
   row.mean_temperature /= static_cast<double>(state_.size());
+  row.heat_content = heat_content(network_, state_.temperature);
   row.wall_force = stepper_->wall_force();
   row.bonds = static_cast<std::int64_t>(state_.bonds.size());
   row.contacts = static_cast<std::int64_t>(network_.contacts().touching());

@@ -10,6 +10,7 @@
 #include "dynamics/moving_network.hpp"
 #include "dynamics/stepping.hpp"
 #include "integrators/integrator.hpp"
+#include "integrators/press/energy.hpp"
 #include "integrators/press/history.hpp"
 #include "integrators/press/switches.hpp"
 #include "integrators/press/thermal_bridge.hpp"
@@ -88,7 +89,7 @@ class Motion {
   [[nodiscard]] Attempt land(const Phase& phase, double& h, bool& landed);
   [[nodiscard]] std::size_t landings_lately(double h) const;
   void accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections, bool landed);
-  [[nodiscard]] bool correct_heat(double h);
+  [[nodiscard]] bool correct_heat(double h, double& heat_added);
   [[nodiscard]] Outcome check() const;
   [[nodiscard]] Outcome collapsed(double h, const Attempt& attempt) const;
   void record(const Phase& phase, double h, std::int64_t iterations, std::int64_t rejections);
@@ -104,6 +105,7 @@ class Motion {
   std::size_t connected_ = 0;
   bool steady_ = false, locates_ = false;
   double smallest_radius_ = 0;
+  Powers powers_;                   // where the step at hand begins
   State before_;                    // of the step at hand
   std::vector<double> heat_begin_;  // [W]
   std::vector<char> carrying_begin_;

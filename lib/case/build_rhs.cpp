@@ -92,7 +92,7 @@ Network network_of(const FieldScene& field) {
 FieldInput field_input(const FieldScene& field, Network network) {
   FieldInput input;
   input.network = std::move(network);
-  input.pair_step = min_pair_step(field.graph, field.roles, field.bare);
+  input.pair_step = min_pair_step(field.graph, field.roles, field.bare_conductance());
   input.known = known_values(field);
   input.laws = field.laws;
   input.id = field.graph.id;
@@ -143,7 +143,7 @@ void build_single(const std::string& where, FieldScene& field, Scene& scene) {
   Network network = network_of(field);
   field.row_of_node = network.row_of_node;
   append_initial(field, network, scene);
-  const double pair_step = min_pair_step(field.graph, field.roles, field.bare);
+  const double pair_step = min_pair_step(field.graph, field.roles, field.bare_conductance());
   scene.rhs = std::make_unique<NetworkRhs>(std::move(network), field.name, field.unit, pair_step);
 }
 
@@ -213,8 +213,9 @@ void build_steady(const std::string& where, FieldScene& electric, Scene& scene) 
   solve_once(electric, scene);
   Network nothing;
   nothing.row_begin.assign(1, 0);
-  scene.rhs = std::make_unique<NetworkRhs>(std::move(nothing), electric.name, electric.unit,
-                                           min_pair_step(electric.graph, electric.roles, electric.bare));
+  scene.rhs = std::make_unique<NetworkRhs>(
+      std::move(nothing), electric.name, electric.unit,
+      min_pair_step(electric.graph, electric.roles, electric.bare_conductance()));
 }
 
 void list_field_skips(const FieldScene& field, bool only, Scene& scene) {

@@ -10,12 +10,14 @@
 #include "case/inputs/read_inputs.hpp"
 #include "contact/conductance.hpp"
 #include "core/error.hpp"
+#include "core/memory.hpp"
 
 namespace superstep {
 namespace {
 
 void set_capacities(const Packing& packing, const Materials& materials, const FieldMaterials& field,
                     Graph& graph) {
+  graph.capacity.reserve(packing.size());
   for (std::size_t k = 0; k < packing.size(); ++k) {
     const double radius = packing.radius[k];
     const double mass =
@@ -48,6 +50,7 @@ void set_conductances(const PackingInput& input, const FieldMaterials& field, Fi
       scene.bare.push_back(series_conductance(kappa_i, kappa_j, neck, Interface{}));
     }
   }
+  if (scene.bare == graph.conductance) free_list(scene.bare);  // nothing lies between particles
 }
 
 }  // namespace

@@ -52,14 +52,14 @@ struct PackingScene {
 
 /// One field of the scene on the user's nodes.
 struct FieldScene {
-  std::string name;                       ///< "temperature" or "potential"
-  std::string unit;                       ///< "K" or "V"
-  Graph graph;                            ///< the user's nodes and edges
-  bool in_order = false;                  ///< rows stand in the order of the nodes
-  bool steady = false;                    ///< solved for, not stepped: no part of the state
-  ConductionLaws laws;                    ///< conductivities; without materials for a network given directly
-  std::vector<NodeRole> roles;            ///< [nodes]
-  std::vector<double> bare;               ///< [edges] conductance from particle contributions only
+  std::string name;             ///< "temperature" or "potential"
+  std::string unit;             ///< "K" or "V"
+  Graph graph;                  ///< the user's nodes and edges
+  bool in_order = false;        ///< rows stand in the order of the nodes
+  bool steady = false;          ///< solved for, not stepped: no part of the state
+  ConductionLaws laws;          ///< conductivities; without materials for a network given directly
+  std::vector<NodeRole> roles;  ///< [nodes]
+  std::vector<double> bare;     ///< [edges] conductance from particle contributions only, where it differs
   std::vector<std::int32_t> row_of_node;  ///< [nodes] row in the field's network, -1 for fixed and idle nodes
   std::ptrdiff_t view = -1;               ///< index among the right-hand side's fields; -1 = not in the state
   std::size_t components = 0;             ///< connected components of the whole graph
@@ -70,6 +70,10 @@ struct FieldScene {
   double low = 0, high = 0;               ///< range of initial and fixed values
   double origin = 0;                      ///< K or V: entries of the state are differences from it
 
+  /// Conductances from particle contributions only [edges].
+  [[nodiscard]] std::span<const double> bare_conductance() const noexcept {
+    return bare.empty() ? graph.conductance : bare;
+  }
   /// The range of initial and fixed values as entries of the state have it.
   [[nodiscard]] FieldRange range_of_state() const noexcept { return {low - origin, high - origin}; }
 };

@@ -29,8 +29,10 @@ Vec3 force_through(const ContactLaw& law, Vec3 normal, Vec3 relative, double pus
   return force;
 }
 
+}  // namespace
+
 double damping_of(const ContactLaw& law, double push, double strain, double length, double mass) noexcept {
-  if (!(law.damping > 0)) return 0;
+  if (!(law.damping > 0) || !(push > 0)) return 0;
   return normal_damping(law.damping, mass, contact_slope(push, law.exponent, -strain, length));
 }
 
@@ -41,8 +43,6 @@ double wall_push(const Model& model, const Particles& particles, const WallConta
          contact_force(model.wall, contact.strain, contact.area,
                        0.5 * (particle_temperature + wall_temperature));
 }
-
-}  // namespace
 
 double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
                   std::span<const WallContact> walls, double upper_wall_velocity,

@@ -6,7 +6,6 @@
 #include "core/parallel.hpp"
 
 namespace superstep::dynamics {
-namespace {
 
 // The centre never gets as far as the wall in an accepted step; the bound keeps trial positions finite.
 double wall_conductance(const ThermalLaw& law, const Particles& particles,
@@ -16,8 +15,6 @@ double wall_conductance(const ThermalLaw& law, const Particles& particles,
   return value_of(particles.conductivity, i, law.conductivity) * contact.area /
          std::max(contact.distance, nearest * particles.radius[i]);
 }
-
-}  // namespace
 
 void heat_rates(const ThermalLaw& law, const Particles& particles, const ContactPoints& contacts,
                 std::span<const WallContact> walls, Held held, std::span<const double> joule,

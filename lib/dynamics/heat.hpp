@@ -17,6 +17,10 @@ using Held = std::span<const std::int32_t>;
   return contact.conductivity * contact.area / contact.distance;
 }
 
+/// kappa A/distance of a particle and a wall [W/K].
+[[nodiscard]] double wall_conductance(const ThermalLaw& law, const Particles& particles,
+                                      const WallContact& contact) noexcept;
+
 /// m C of particle i [J/K].
 [[nodiscard]] inline double heat_capacity(const ThermalLaw& law, const Particles& particles,
                                           std::size_t i) noexcept {

@@ -62,7 +62,7 @@ void add_knots(const TimeTable& table, double weight, std::size_t field, std::ve
 }
 
 void FieldOperator::find_facts() {
-  std::vector<double> largest_rate(size(), 0.0);
+  std::vector<double> largest_rate(sources_.empty() && tabled_.empty() ? 0 : size(), 0.0);
   for (const auto& source : sources_) largest_rate[at(source.row)] += std::abs(source.rate);
   const auto& tables = inputs_.tables();
   for (const auto& source : tabled_) {
@@ -72,7 +72,6 @@ void FieldOperator::find_facts() {
   }
   for (const double rate : largest_rate) facts_.source_rate = std::max(facts_.source_rate, rate);
   auto* among = network_.among();
-  facts_.nonzeros = network_.nonzeros();
   if (among) facts_.nonzeros = among->sum(facts_.nonzeros);
   if (among) facts_.source_rate = among->max(facts_.source_rate);
   facts_.has_sources = facts_.source_rate > 0;

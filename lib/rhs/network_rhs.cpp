@@ -26,11 +26,22 @@ FieldView view_of(const Network& network, std::string name, std::string unit) {
 
 }  // namespace
 
-NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step)
+// Braces: the bound is found before the network moves on.
+NetworkRhs::NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step,
+                       bool keep_network)
+    : NetworkRhs{spectral_bounds(network).smallest(),
+                 std::move(network),
+                 std::move(field_name),
+                 std::move(unit),
+                 pair_step,
+                 keep_network} {}
+
+NetworkRhs::NetworkRhs(double bound, Network network, std::string field_name, std::string unit,
+                       double pair_step, bool keep_network)
     : Rhs(network.size(), traits_of(network), {view_of(network, std::move(field_name), std::move(unit))},
           network.among()),
-      field_(std::make_shared<FieldOperator>(std::move(network))),
-      bound_(spectral_bounds(field_->network()).smallest()) {
+      field_(std::make_shared<FieldOperator>(std::move(network), keep_network)),
+      bound_(bound) {
   find_facts(pair_step);
 }
 

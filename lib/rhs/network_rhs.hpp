@@ -13,7 +13,9 @@ class NetworkRhs final : public Rhs {
  public:
   ///   field_name, unit   what the entries are
   ///   pair_step [s]      pairwise critical step from particle contributions only
-  NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step);
+  ///   keep_network       see FieldOperator
+  NetworkRhs(Network network, std::string field_name, std::string unit, double pair_step,
+             bool keep_network = true);
   /// One field of a larger right-hand side, whose counters its sweeps add to.
   NetworkRhs(std::shared_ptr<FieldOperator> field, std::string field_name, std::string unit, double pair_step,
              RhsCounters& counters);
@@ -33,14 +35,14 @@ class NetworkRhs final : public Rhs {
   [[nodiscard]] const Network& network() const noexcept { return field_->network(); }
   /// See FieldOperator::assume_cache.
   void assume_cache(std::size_t bytes) noexcept { field_->assume_cache(bytes); }
-  /// See FieldOperator::forget_pattern.
-  void forget_network() { field_->forget_pattern(); }
   /// Entries of the rows that are here, padding included.
   [[nodiscard]] std::size_t entries() const noexcept { return field_->entries(); }
   /// Rates [n] added to f from now on [K/s or V/s]; they must outlive their use. Empty = none.
   void drive(std::span<const double> rate);
 
  private:
+  NetworkRhs(double bound, Network network, std::string field_name, std::string unit, double pair_step,
+             bool keep_network);
   void do_stage(double t, const Stage& stage, std::span<double> out) override;
   void do_chain(std::span<ChainedStage> stages, bool with_inflow, ChainObserver* observer) override;
   void do_linear_stage(const Stage& stage, std::span<double> out) override;

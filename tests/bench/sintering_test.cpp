@@ -47,7 +47,8 @@ TEST(RunSintering, WritesTheFilesOfTheContract) {
   const std::string history = folder.read("out/history.csv");
   EXPECT_TRUE(history.starts_with(
       "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,contacts,"
-      "step,iterations,rejections,landed\n0,\"press, slowly\",0."))
+      "step,iterations,rejections,wall_work,potential_energy,elastic_energy,dissipated,joule_heat,heat_lost,"
+      "heat_content,landed\n0,\"press, slowly\",0."))
       << history.substr(0, 200);
   const std::string last = folder.read("out/final.csv");
   EXPECT_TRUE(last.starts_with("id,x,y,z,r,current,temperature,vx,vy,vz\n0,"));

@@ -68,7 +68,7 @@ class Runner:
             arguments += ["--integrator", spec]
         done = self.call(processes, arguments)
         if done.returncode != 0:
-            self.faults.append(f"{scene}, {processes} processes: exit {done.returncode}: {done.stderr.decode()[-600:]}")
+            self.faults.append(f"{scene}, {processes} processes: exit {done.returncode}: {done.stderr.decode()[:600]}")
             return {}
         lines = [line for line in done.stdout.decode().splitlines() if line and not line.startswith(" ")]
         if len(lines) != len(specs):

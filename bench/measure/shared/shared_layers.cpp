@@ -49,22 +49,24 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 
 }  // namespace
 
-std::optional<Scene> share_layers(const TomlTable& root) {
-  if (world().alone() || !can_be_layered(root)) return std::nullopt;
+std::optional<Scene> share_layers(const std::string& file) {
+  if (world().alone()) return std::nullopt;
+  const std::string text = read_text_file(file);
+  if (!can_be_layered(TomlTable::parse_text(text, file))) return std::nullopt;
   Packer out;
   out.put(Order::layers);
   out.put(block_rows());
-  out.put(root.file());
-  const std::string text = read_text_file(root.file());
+  out.put(file);
   out.put(text);
   for (int to = 1; to < world().size(); ++to) world().send(to, out.bytes());
   try {
-    return build_in_layers(TomlTable::parse_text(text, root.file()), world());
+    return build_in_layers(TomlTable::parse_text(text, file), world());
   } catch (const InputError&) {  // everybody's
     throw;
   } catch (const std::exception& error) {  // the others would wait for ever
     note("error: ", fmt::format("process 1 of {}: {}", world().size(), error.what()));
     world().abort(static_cast<int>(ExitCode::internal));
+    throw;
   }
 }
 

@@ -4,17 +4,17 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "bench/measure/shared/shared_scene.hpp"
 #include "case/scene.hpp"
-#include "core/text/toml.hpp"
 
 namespace superstep {
 
 /// On the root: has a case built by all processes. Nothing where it is not one that they can build like that,
 /// or where there is one process. Throws InputError.
-[[nodiscard]] std::optional<Scene> share_layers(const TomlTable& root);
+[[nodiscard]] std::optional<Scene> share_layers(const std::string& file);
 /// Elsewhere: the part that this process has then. Throws InputError where the root does.
 [[nodiscard]] ScenePart take_layers(Unpacker& in);
 /// The root's own part.

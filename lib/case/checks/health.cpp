@@ -118,7 +118,7 @@ void find_lambda_min(const Network& network, FieldHealth& health) {
 }
 
 void assess_stiffness(const FieldScene& field, FieldHealth& health) {
-  health.pair_step_bare = min_pair_step(field.graph, field.roles, field.bare);
+  health.pair_step_bare = min_pair_step(field.graph, field.roles, field.bare_conductance());
   health.pair_step_full = min_pair_step(field.graph, field.roles, field.graph.conductance);
   const Network network = build_network(field.graph, field.roles);
   const SpectralBounds bounds = spectral_bounds(network);

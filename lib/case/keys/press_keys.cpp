@@ -66,6 +66,28 @@ void list_fields(KeyList& keys) {
   keys.boolean("hold_temperature", "true", "what touches an electrified wall takes its temperature");
 }
 
+void list_materials(KeyList& keys) {
+  keys.in("", CaseKey::press).list("materials", CaseKey::table, "several materials, one table each");
+  keys.in("materials[]", CaseKey::press);
+  keys.text("name", "as particles say it");
+  keys.number("density", positive_number, "kg/m3", "of its particles");
+  keys.table("thermal", "its conductivity and specific heat");
+  keys.number("thermal.conductivity", no_less_than_zero, "W/(m K)", "of the material");
+  keys.number("thermal.specific_heat", positive_number, "J/(kg K)", "of the material");
+  keys.table("electric", "its conductivity, where there is a current");
+  keys.number("electric.conductivity", positive_number, "S/m", "of the material");
+  keys.number("hardness", positive_number, "", "stiffness of its contacts over that of dynamics.contact")
+      .fallback = "1";
+  keys.number("share", no_less_than_zero, "", "of particles set at random, by number").fallback = "0";
+}
+
+void list_table(KeyList& keys) {
+  keys.in("bench", CaseKey::press).table("press_table", "what `superstep bench --press-table` goes through");
+  keys.numbers("press_table.hold", 0, positive_number, "s", "how long to hold");
+  keys.numbers("press_table.upper_wall", 0, any_number, "m", "lowest heights of the upper wall");
+  keys.list("press_table.seeds", CaseKey::integer, "of the particles");
+}
+
 void list_phases(KeyList& keys) {
   keys.in("dynamics", CaseKey::press);
   keys.list("phases", CaseKey::table, "pour, press, hold, release: one table each");
@@ -85,6 +107,8 @@ void list_phases(KeyList& keys) {
 
 void list_press_keys(KeyList& keys) {
   list_fields(keys);
+  list_materials(keys);
+  list_table(keys);
   keys.in("", CaseKey::press).table("dynamics", "the particles move");
   keys.in("dynamics", CaseKey::press);
   keys.number("gravity", no_less_than_zero, "m/s2", "downwards").fallback = "9.81";
@@ -98,7 +122,6 @@ void list_press_keys(KeyList& keys) {
   keys.table("particles", "how many and where");
   keys.integer("particles.count", {.min = 1, .max = 100'000'000}, "particles set at random");
   keys.number("particles.radius", positive_number, "m", "of those");
-  keys.table("particles.sizes", "or their sizes [m]: distribution and its numbers, as in packing.sizes");
   keys.integer("particles.seed", no_less_than_zero, "of the random numbers").fallback = "1";
   keys.list("particles.list", CaseKey::table, "or one table each");
   keys.text("particles.file", "or a packing in any format");
@@ -109,6 +132,7 @@ void list_press_keys(KeyList& keys) {
   keys.numbers("particles.shift", 3, any_number, "m", "added to its centres").fallback = "[0, 0, 0]";
   keys.number("particles.max_overlap", proper_part, "", "at the start, of the sum of two radii").fallback =
       "0";
+  list_sizes(keys.in("dynamics.particles", CaseKey::press), "m");
   keys.in("dynamics.particles.list[]", CaseKey::press);
   keys.numbers("position", 3, any_number, "m", "its centre");
   keys.number("radius", positive_number, "m", "its radius");

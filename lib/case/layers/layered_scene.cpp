@@ -12,6 +12,7 @@
 #include "case/layers/layer_counts.hpp"
 #include "case/layers/layer_probes.hpp"
 #include "core/index.hpp"
+#include "core/memory.hpp"
 #include "network/network_in_order.hpp"
 #include "rhs/network_rhs.hpp"
 
@@ -68,7 +69,7 @@ void read_own_layers(const Partition& partition, double origin, LayeredNodes& no
     require_workable_numbers(checked);
     const FieldScene& field = checked.fields.front();
     const auto roles = roles_of(field.graph);
-    own.pair_step = std::min(own.pair_step, min_pair_step(field.graph, roles, field.bare));
+    own.pair_step = std::min(own.pair_step, min_pair_step(field.graph, roles, field.bare_conductance()));
     std::vector<std::int32_t> order(field.graph.nodes());
     std::iota(order.begin(), order.end(), 0);
     assembly.take(build_network_in_order(field.graph, roles, origin, order), nodes.rows_before[at(from)],
@@ -170,10 +171,11 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
   part.network.origin = field.origin;
   part.network.halo = std::make_shared<Halo>(among, partition, std::move(part.halo));
   nodes.edges = static_cast<std::int64_t>(among.sum(own.edges));
-  auto rhs =
-      std::make_unique<NetworkRhs>(std::move(part.network), field.name, field.unit, among.min(own.pair_step));
-  rhs->forget_network();
-  scene.rhs = std::move(rhs);
+  const double pair_step = among.min(own.pair_step);
+  give_back_memory();  // of the layers that were read
+  constexpr bool keep_network = false;
+  scene.rhs =
+      std::make_unique<NetworkRhs>(std::move(part.network), field.name, field.unit, pair_step, keep_network);
 
   const std::uint64_t limited = among.sum(own.limited_necks);
   agreed(among, [&] {

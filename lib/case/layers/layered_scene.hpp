@@ -43,8 +43,10 @@ class LayeredNodes {
   }
   /// Layers that are read at a time.
   [[nodiscard]] std::int64_t stretch() const noexcept {
-    constexpr std::int64_t spheres = 1'000'000;  // some 0.8 kB each while they are read
-    return std::max<std::int64_t>(1, spheres / lattice().layer());
+    // Some 0.8 kB a sphere while they are read, two layers more each time: a small part of all, and not too
+    // small.
+    constexpr std::int64_t spheres = 1'000'000, part = 48;
+    return std::max<std::int64_t>(1, std::min(lattice().cells[2] / part, spheres / lattice().layer()));
   }
 
  private:

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "case/press/read_values.hpp"
 
 namespace superstep::dynamics {
@@ -9,7 +11,9 @@ namespace {
 
 PressMaterial read_one(TomlTable table, bool electric) {
   PressMaterial one;
-  one.name = table.require("name", "it names the material as particles do").string();
+  const auto name = table.require("name", "it names the material as particles do");
+  one.name = name.string();
+  if (one.name.empty()) name.reject("it must not be empty");
   one.density = table.positive("density", "kg/m3");
   TomlTable thermal = table_from(table, "thermal", "its conductivity and specific_heat");
   one.conductivity = required_from(thermal, "conductivity", 0, "W/(m K)");
@@ -45,11 +49,11 @@ std::vector<PressMaterial> read_press_materials(TomlTable& root, bool electric) 
         entry.reject(fmt::format("there is a material '{}' already; name each once", out.back().name));
   }
   if (out.empty()) several->reject("there must be at least one material");
-  for (const char* field : {"thermal", "electric"})
+  for (const auto& [field, key] :
+       {std::pair{"thermal", "conductivity"}, {"thermal", "specific_heat"}, {"electric", "conductivity"}})
     if (auto table = root.table(field))
-      for (const char* key : {"conductivity", "specific_heat"})
-        if (const auto value = table->find(key))
-          value->reject("each of [[materials]] has its own; remove it here");
+      if (const auto value = table->find(key))
+        value->reject("each of [[materials]] has its own; remove it here");
   return out;
 }
 

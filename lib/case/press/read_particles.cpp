@@ -257,6 +257,10 @@ void check_start(const TomlTable& table, double largest, const ModelInput& input
 void read_particles(TomlTable table, const std::vector<PressMaterial>& materials, double initial,
                     std::optional<std::uint64_t> seed, ModelInput& input) {
   const Reading reading{materials, initial, input};
+  for (const char* key : {"list", "file", "count", "radius", "sizes", "seed", "bonds", "shift", "length_unit",
+                          "velocity_unit", "max_overlap"})
+    (void)table.find(key);
+  table.finish();  // a misspelt key is said first: what follows would only miss it
   const auto refuse = [&](std::initializer_list<const char*> keys, const char* given) {
     for (const char* key : keys)
       if (const auto value = table.find(key))

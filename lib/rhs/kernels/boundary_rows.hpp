@@ -31,8 +31,8 @@ class BoundaryRows {
 
   /// Gives back the memory that only new values would need.
   void forget_pattern() noexcept {
-    interior_begin_ = {};
-    row_begin_ = {};
+    std::vector<std::int64_t>().swap(interior_begin_);
+    std::vector<std::int64_t>().swap(row_begin_);
   }
   /// Calls each(row, column, value) for the entries of the boundary's own rows; -1 = a column of somebody
   /// else.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/index.hpp"
+#include "core/memory.hpp"
 #include "rhs/kernels/sweep.hpp"
 
 namespace superstep {
@@ -49,13 +50,16 @@ SpectralBounds spectral_bounds(const Network& network) {
   return bounds;
 }
 
-FieldOperator::FieldOperator(Network network)
+FieldOperator::FieldOperator(Network network, bool keep_network)
     : network_(std::move(network)),
       boundary_(network_.halo ? std::make_unique<BoundaryRows>(network_) : nullptr),
       rate_(boundary_ ? boundary_->interior_rows(network_) : SlicedRows(network_.row_begin, network_.column)),
       ghost_value_(network_.ghost_value),
       inputs_(network_.tables) {
+  facts_.nonzeros = network_.nonzeros();
+  if (!keep_network) free_list(network_.column);  // before values take their room
   set_conductances(network_.conductance, {});
+  if (!keep_network) forget_pattern();
   for (std::size_t i = 0; i < size(); ++i)
     if (network_.source[i] != 0)
       sources_.push_back({static_cast<std::int32_t>(i), network_.source[i] / network_.capacity[i]});
@@ -94,9 +98,8 @@ void FieldOperator::set_conductances(std::span<const double> edges, std::span<co
 }
 
 void FieldOperator::forget_pattern() {
-  network_.row_begin = {};
-  network_.column = {};
-  network_.conductance = {};
+  free_list(network_.row_begin);
+  free_list(network_.conductance);
   if (boundary_) boundary_->forget_pattern();
 }
 

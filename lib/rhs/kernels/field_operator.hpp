@@ -42,7 +42,10 @@ auto only_here(Add add) {
 
 class FieldOperator {
  public:
-  explicit FieldOperator(Network network);
+  ///   keep_network  false: the memory of its rows is given back, of which sweeps have rates of their own;
+  ///   then no
+  ///                 new conductances can be set
+  explicit FieldOperator(Network network, bool keep_network = true);
 
   [[nodiscard]] std::size_t size() const noexcept { return network_.size(); }
   [[nodiscard]] const Network& network() const noexcept { return network_; }
@@ -95,9 +98,6 @@ class FieldOperator {
 
   /// New conductances on the same graph [nnz] and of the ghost edges [ghost edges], W/K or S.
   void set_conductances(std::span<const double> edges, std::span<const double> ghost_edges);
-  /// Gives back the memory of conductances, of which sweeps have rates of their own: the network has no rows
-  /// any more, and no new conductances can be set.
-  void forget_pattern();
   /// Of some ghost edges: `edges` says which of `conductance` [ghost edges] are new.
   void set_ghost_conductances(std::span<const std::int32_t> edges, std::span<const double> conductance);
 
@@ -138,6 +138,7 @@ class FieldOperator {
   // For a time that `ghost_values` has been called with.
   void add_inputs(double t, const Stage& stage, std::size_t first, std::size_t last, double* out) const;
 
+  void forget_pattern();
   void find_facts();
   [[nodiscard]] SkewedBlocks chain_blocks() const noexcept;
   void pass_together(std::span<ChainedStage> stages, std::size_t first_stage, bool with_inflow,

@@ -24,7 +24,6 @@ SlicedRows::SlicedRows(std::span<const std::int64_t> row_begin, std::span<const 
   column_ = aligned_array<std::int32_t>(entries());
   value_ = aligned_array<double>(entries());
   for_ranges(slices, rows_, [&](std::size_t first, std::size_t last) {
-    std::fill(value_.get() + begin_[first], value_.get() + begin_[last], 0.0);
     for (std::size_t row = first * lanes; row < last * lanes; ++row) {
       const std::size_t own = std::min(row, rows_ - 1);
       const auto longest = static_cast<std::size_t>(begin_[row / lanes + 1] - begin_[row / lanes]) / lanes;

@@ -7,6 +7,7 @@
 /// Source of the layout: Kreutzer, Hager, Wellein, Fehske & Bishop (2014), doi:10.1137/130930352. The sorting
 /// by length that keeps padding small is part of the node order: see `group_by_length`.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,7 +22,7 @@ class SlicedRows {
   static constexpr std::size_t lanes = 8;
 
   SlicedRows() = default;
-  /// Takes a pattern of compressed rows [rows+1], [nnz]; all values are 0 until `set_values`.
+  /// Takes a pattern of compressed rows [rows+1], [nnz]; there are no values until `set_values`.
   SlicedRows(std::span<const std::int64_t> row_begin, std::span<const std::int32_t> column)
       : SlicedRows(row_begin, column, row_begin) {}
   /// The same of columns that stand elsewhere: those of a row from `first_column[row]` on.
@@ -56,6 +57,7 @@ class SlicedRows {
   }
 
   std::size_t rows_ = 0, reach_ = 0;
+  bool has_values_ = false;
   std::vector<std::int64_t> begin_{0};
   // Left untouched by their allocation: the thread that will sweep over a part is the first to write it.
   AlignedArray<std::int32_t> column_;
@@ -71,12 +73,14 @@ void for_slices(const SlicedRows& rows, const Body& body) {
 template <class ValueOf>
 void SlicedRows::set_values(std::span<const std::int64_t> row_begin, const ValueOf& value_of) {
   for_slices(*this, [&](std::size_t first, std::size_t last) {
+    if (!has_values_) std::fill(value_.get() + begin_[first], value_.get() + begin_[last], 0.0);  // padding
     for (std::size_t row = first * lanes; row < std::min(last * lanes, rows_); ++row) {
       const auto begin = static_cast<std::size_t>(row_begin[row]);
       for (std::size_t k = begin; k < static_cast<std::size_t>(row_begin[row + 1]); ++k)
         value_[place(row, k - begin)] = value_of(row, k);
     }
   });
+  has_values_ = true;
 }
 
 }  // namespace superstep
