@@ -173,15 +173,6 @@ Tree generated_grid(const Tree& packing) {
   return tree;
 }
 
-Tree generated_lattice(const Tree& packing) {
-  Tree tree = generated_grid(packing);
-  tree.erase("materials");
-  tree["material"] = {{"density", 1000.0}};
-  tree["thermal"].update({{"conductivity", 10.0}, {"specific_heat", 100.0}});
-  tree["electric"].update({{"conductivity", 1e3}, {"specific_capacity", 1e3}});
-  return tree;
-}
-
 Tree materials() {
   Tree tree = head();
   tree["packing"] = {{"file", "named.csv"}, {"length_unit", "mm"}};
@@ -329,7 +320,7 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
     "jitter": 0.02, "seed": 2, "materials": ["a"], "shares": [1.0],
     "sizes": { "distribution": "uniform", "min": 1.05, "max": 1.1 } })");
   const Tree lattice = Tree::parse(R"({ "generator": "lattice", "length_unit": "mm", "cells": [3, 3, 3],
-    "spacing": 1.0, "diameter": 1.05 })");
+    "spacing": 1.9, "diameter": 2.0 })");
   Tree listed = box;
   listed["sizes"] =
       Tree::parse(R"({ "distribution": "list", "diameters": [0.8, 1.2], "weights": [1.0, 2.0] })");
@@ -343,7 +334,7 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"matrix", CaseKey::network, matrix()},
           {"pores", CaseKey::network, pores()},
           {"grid", CaseKey::packing, generated_grid(grid)},
-          {"cubic", CaseKey::packing, generated_lattice(lattice)},
+          {"cubic", CaseKey::packing, generated(lattice, "linear")},
           {"network", CaseKey::network, network(folder)},
           {"generated", CaseKey::network, generated_network(listed_table)},
           {"driven", CaseKey::network, generated_network(table_in_file)},
