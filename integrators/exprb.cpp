@@ -19,7 +19,7 @@ namespace superstep {
 namespace {
 
 constexpr std::size_t basis_bytes = 128'000'000;  // that a space may take, unless its network is larger
-constexpr std::size_t fewest_vectors = 40, most_vectors = 400;
+constexpr std::size_t fewest_of_a_step = 40, most_of_a_step = 400;
 
 class ExponentialRosenbrock final : public OneStepMethod {
  public:
@@ -36,7 +36,7 @@ class ExponentialRosenbrock final : public OneStepMethod {
     run_length_ = task.t_end - task.t_begin;
     jacobian_.prepare(rhs, task);
     const std::size_t n = std::max<std::size_t>(1, rhs.size());
-    const std::size_t most = std::clamp(basis_bytes / (sizeof(double) * n), fewest_vectors, most_vectors);
+    const std::size_t most = std::clamp(basis_bytes / (sizeof(double) * n), fewest_of_a_step, most_of_a_step);
     const std::size_t depth = rhs.fields().size() > 1 ? depth_of_coupled : 2;
     for (auto* space : {&of_slope_, &of_drift_, &of_first_, &of_second_})
       space->prepare(rhs, norm_, jacobian_, most, depth);

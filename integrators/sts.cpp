@@ -218,7 +218,7 @@ StabilityModel stability_model(SuperstepShape shape, const std::string& order) {
               }};
 }
 
-std::vector<StabilityModel> stability_functions(bool quick) {
+std::vector<StabilityModel> superstep_stability(bool quick) {
   std::vector<StabilityModel> models;
   for (const auto& shape : superstep_shapes(quick))
     for (const char* order : superstep_orders) models.push_back(stability_model(shape, order));
@@ -247,7 +247,7 @@ IntegratorEntry sts_entry() {
           .representatives = {"sts:n=10,nu=1e-3", "sts:n=20,nu=1e-4", "sts:n=25,nu=1e-5"},
           .ladder = {"sts:n=10,nu=0.05,alpha=1", "sts:n=5,nu=1e-2", "sts:n=10,nu=1e-2", "sts:n=20,nu=1e-3",
                      "sts:n=40,nu=1e-3", "sts:n=auto,rtol=1e-2", "sts:n=auto,rtol=1e-3"},
-          .stability = {.functions = stability_functions, .limits = stability_limits},
+          .stability = {.functions = superstep_stability, .limits = stability_limits},
           .make = make_sts};
 }
 

@@ -77,7 +77,7 @@ std::unique_ptr<Method> make_trapezoidal(const Options& options) {
   return std::make_unique<TrapezoidalNewton>(rule);
 }
 
-std::vector<StabilityModel> stability_functions(bool /*quick*/) {
+std::vector<StabilityModel> trapezoidal_stability(bool /*quick*/) {
   std::vector<StabilityModel> models;
   for (const double phi : {0.5, 0.6, 1.0})
     for (const double z_stiff : {10.0, 1e4})
@@ -110,7 +110,7 @@ IntegratorEntry trapezoidal_entry() {
                             rtol_ladder("trapezoidal:solver=klu", 2, 5),
                             rtol_ladder("trapezoidal:solver=cholmod", 2, 5),
                             {"trapezoidal:solver=fixed-point,rtol=1e-4"}}),
-          .stability = {.functions = stability_functions, .limits = {}},
+          .stability = {.functions = trapezoidal_stability, .limits = {}},
           .make = make_trapezoidal};
 }
 

@@ -1,6 +1,10 @@
 #!/usr/bin/env bash
 # Every test on a bare machine: sets it up, builds, runs, and asks the performance gate about the small cases.
 # SUPERSTEP_SANITIZE=1 runs the tests under the address and undefined-behaviour sanitizers.
+#
+# Cold on two cores it may take 2400 s. What each stage may take of it; one that needs more moves work to full.sh:
+#   packages 150, build 900, suite 800, readers under sanitizers 330, gate and formats 60,
+#   where there is clang fuzzers of the readers 250
 set -euo pipefail
 # shellcheck source=bench/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../bench/setup.sh"
@@ -31,6 +35,28 @@ check_scripts() {
   (cd "$root" && git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck -x)
 }
 
+# The readers, and what they stand on, under the address and undefined-behaviour sanitizers: files come from strangers.
+check_readers() {
+  local tests=(test_core test_parallel test_packing test_contact test_network) one
+  cmake --preset asan -DSUPERSTEP_MICRO=OFF -DSUPERSTEP_PYTHON=OFF -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1"
+  cmake --build --preset asan --parallel "$(nproc)" --target "${tests[@]}"
+  for one in "${tests[@]}"; do OMP_NUM_THREADS=2 "build/asan/bin/$one" --gtest_brief=1; done
+}
+
+# build_strictly PRESET: a warning of the compiler that this is written for is an error. Not by -Werror: another
+# command line would compile anew what bench/run.sh has built.
+build_strictly() {
+  local log
+  log=$(mktemp)
+  # shellcheck disable=SC2064
+  trap "rm -f '$log'" RETURN
+  build_preset "$1" 2>&1 | tee "$log"
+  if [[ $(g++ -dumpversion) == 12 ]] && grep -q 'warning:' "$log"; then
+    echo "tests: the build has warnings, see above" >&2
+    return 1
+  fi
+}
+
 preset=release
 if [[ ${SUPERSTEP_SANITIZE:-0} == 1 ]]; then preset=asan; fi
 install_missing_packages
@@ -45,6 +71,11 @@ install_optional_packages "tests of the report in a browser and of VTK files are
 install_optional_packages "instructions are not counted" valgrind
 fetch_chart_library
 fetch_node_modules tests/browser "tests of the report in a browser are skipped"
-build_preset "$preset"
+cd "$root"
+build_strictly "$preset"
 ctest --test-dir "build/$preset" --output-on-failure -j"$(nproc)"
-if [[ $preset == release ]]; then gate; fi
+if [[ $preset == release ]]; then
+  gate
+  check_readers
+  if command -v clang++ >/dev/null; then tests/fuzz/run.sh 20 packing network; fi
+fi

@@ -63,6 +63,19 @@ BenchCase measure(const Press& press, double cpu_setup, const HarnessOptions& op
   return bench_thermal_lanes(press, cpu_setup, options, progress);
 }
 
+/// Only the table of each press; its files go where results would.
+int bench_press_tables(const BenchCommand& command, const std::vector<LoadedCase>& cases) {
+  const std::string folder = output_folder(command, cases);
+  const OutputFolder locked(folder);
+  Progress progress(!command.common.quiet && stderr_is_terminal());
+  for (const auto& one : cases) {
+    const auto* press = std::get_if<Press>(&one.content);
+    if (!press) throw UsageError("bench: --press-table needs cases with moving particles ([dynamics])");
+    bench_press_table(command, *press, folder, progress);
+  }
+  return 0;
+}
+
 ExitCode exit_code(const BenchReport& report) {
   bool measured = false;
   for (const auto& one : report.cases)
@@ -139,6 +152,7 @@ Command from_line(const Arguments& values) {
   if (values.cases.empty()) throw UsageError("bench: a case file is missing; see superstep bench --help");
   if (values.work_precision) return make_work_precision(values);
   BenchCommand command;
+  command.press_table = values.press_table;
   take(values, command, command.harness, command.harness.repetitions);
   command.harness.count_instructions = values.instructions;
   return command;
@@ -150,6 +164,7 @@ int execute(const BenchCommand& command) {
   if (command.harness.count_instructions && valgrind_version().empty())
     throw UsageError("bench: --instructions needs Valgrind; install it (apt-get install valgrind)");
   const auto cases = load_all(command);
+  if (command.press_table) return bench_press_tables(command, cases);
   const std::string folder = output_folder(command, cases);
   const OutputFolder locked(folder);
   const bool quiet = command.common.quiet;
@@ -218,10 +233,11 @@ CommandEntry bench_command() {
             "sweep every method over tolerances and steps; say who is fastest at each error", ""},
            {"--corpus", &Arguments::corpus,
             "every method over its ladder on a set of scenes: quick, standard (default), large, or a folder "
-            "of "
-            "cases; what was measured before is not measured again",
+            "of cases; what was measured before is not measured again",
             "SET", "standard"},
            {"--markdown", &Arguments::markdown, "with --corpus: tables in Markdown", ""},
+           {"--press-table", &Arguments::press_table,
+            "moving particles: springback over hold and densification, with its spread over seeds", ""},
            {"--report", &Arguments::report, "write report.html beside the results as well", ""},
            {"--no-cache", &Arguments::no_cache, "neither read nor write cached references", ""}},
       .make = from_line};

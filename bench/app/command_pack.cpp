@@ -64,7 +64,7 @@ Container container_of(const Arguments& values, double unit) {
     container.depth = length("--depth", values.depth);
   } else {
     const std::vector<std::string> shapes = {"cylinder", "box"};
-    throw UsageError(fmt::format("--container {} is not valid{}", superstep::quoted(values.container),
+    throw UsageError(fmt::format("--container {} is not valid{}", superstep::in_quotes(values.container),
                                  suggestion(values.container, shapes)));
   }
   return container;
@@ -86,7 +86,7 @@ Lattice lattice_of(const Arguments& values, double unit) {
   const double count = parse_positive_option("--lattice", values.lattice);
   if (!(count >= 1) || count > static_cast<double>(largest_packing))
     throw UsageError(fmt::format("--lattice {} is not valid: it must lie between 1 and {}",
-                                 superstep::quoted(values.lattice), largest_packing));
+                                 superstep::in_quotes(values.lattice), largest_packing));
   const auto most = static_cast<std::int64_t>(count);
   std::int64_t side = 1;
   while ((side + 1) * (side + 1) * (side + 1) <= most) ++side;

@@ -108,6 +108,7 @@ Command from_line(const Arguments& values) {
                      .verify = values.verify,
                      .vtk = values.vtk,
                      .checkpoint = std::nullopt,
+                     .export_packing = values.export_packing,
                      .restart = values.restart,
                      .limits = run_limits(values, 0)};
   if (!values.tolerance.empty()) command.tolerance = parse_positive_option("--tolerance", values.tolerance);
@@ -117,8 +118,9 @@ Command from_line(const Arguments& values) {
 }
 
 int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
-  if (command.checkpoint || !command.restart.empty())
-    throw UsageError("run: --checkpoint and --restart need a case with moving particles ([dynamics])");
+  if (command.checkpoint || !command.restart.empty() || !command.export_packing.empty())
+    throw UsageError(
+        "run: --checkpoint, --restart and --export-packing need a case with moving particles ([dynamics])");
   if (command.vtk) require_packing(scene, "--vtk");
   const auto specs = specs_of(command);
   const auto folders =
@@ -175,7 +177,8 @@ CommandEntry run_command() {
           "  superstep run cases/nial_thermal.toml --vtk --out result   (then open "
           "result/vtk/particles.pvd)\n"
           "  superstep run cases/sintering_example.toml --out result --checkpoint 0.1\n"
-          "  superstep run cases/sintering_example.toml --restart result/checkpoint.bin",
+          "  superstep run cases/sintering_example.toml --restart result/checkpoint.bin\n"
+          "  superstep run cases/sintering_example.toml --export-packing pressed.csv",
       .positional = "CASE",
       .positional_meaning = "case file (TOML)",
       .options =
@@ -190,7 +193,10 @@ CommandEntry run_command() {
            {"--vtk", &Arguments::vtk, "write particles and contacts at every output time for ParaView", ""},
            {"--checkpoint", &Arguments::checkpoint,
             "moving particles: simulated time [s] between writes of DIR/checkpoint.bin", "T"},
-           {"--restart", &Arguments::restart, "moving particles: go on from this checkpoint", "FILE"}},
+           {"--restart", &Arguments::restart, "moving particles: go on from this checkpoint", "FILE"},
+           {"--export-packing", &Arguments::export_packing,
+            "moving particles: write where they end as a packing, with necks, state and bonds beside it",
+            "FILE"}},
       .make = from_line};
 }
 

@@ -33,12 +33,14 @@ struct RunCommand {
   bool verify = false;                   ///< run again by another method, ten times tighter, and compare
   bool vtk = false;                      ///< write particles and contacts for ParaView
   std::optional<double> checkpoint;      ///< simulated time between checkpoints [s]; moving particles only
-  std::string restart;                   ///< checkpoint to go on from; empty = none; moving particles only
-  RunLimits limits;                      ///< of each run
+  std::string export_packing;  ///< packing file to write at the end; empty = none; moving particles only
+  std::string restart;         ///< checkpoint to go on from; empty = none; moving particles only
+  RunLimits limits;            ///< of each run
 };
 
 struct BenchCommand {
   CommonOptions common;
+  bool press_table = false;  ///< springback over hold and densification instead
   std::vector<std::string> case_files;
   HarnessOptions harness;
   std::string out;      ///< folder; empty = default_output_folder

@@ -20,10 +20,6 @@
 namespace superstep {
 namespace {
 
-double component(Vec3 v, char axis) noexcept {
-  return axis == 'x' ? v.x : axis == 'y' ? v.y : v.z;
-}
-
 /// Mean gradient along the axis, across the sides of the cell.
 std::optional<double> under_mean_gradient(const Packing& packing, const StarterSettings& settings,
                                           char axis) {

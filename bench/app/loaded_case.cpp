@@ -83,7 +83,7 @@ void require_distinct_names(const std::vector<std::string>& files) {
       throw UsageError(
           fmt::format("bench: {} and {} are both named '{}', and results go by the name; rename a file, or "
                       "measure them on their own",
-                      superstep::quoted(first->second), superstep::quoted(file), first->first));
+                      superstep::in_quotes(first->second), superstep::in_quotes(file), first->first));
   }
 }
 

@@ -73,7 +73,9 @@ std::optional<ProbeHistory> take_history(Source& source) {
   ProbeHistory::Data data;
   data.time = source.vector();
   std::size_t coefficients = 0;
+  constexpr double highest = 100;  // of any method
   for (const double order : source.vector()) {
+    if (!(order >= 0 && order <= highest)) return std::nullopt;
     data.order.push_back(static_cast<int>(order));
     coefficients += (static_cast<std::size_t>(data.order.back()) + 1) * probes;
   }

@@ -12,7 +12,7 @@
 namespace superstep {
 namespace {
 
-constexpr auto interval = std::chrono::milliseconds(100);
+constexpr auto between_lines = std::chrono::milliseconds(100);
 constexpr const char* clear_line = "\r\033[K";
 
 // Wrapping is off while the line is written: a long one is cut at the edge instead of filling the screen.
@@ -69,7 +69,7 @@ void Progress::end() {
 
 void Progress::tick(std::stop_token stop) {
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, stop, interval, [&] { return stop.stop_requested(); })) {
+  while (!wake_.wait_for(lock, stop, between_lines, [&] { return stop.stop_requested(); })) {
     const double seen = watched_.load(std::memory_order_relaxed);
     if (seen > position_.load(std::memory_order_relaxed)) reached(seen);
     draw();

@@ -11,6 +11,8 @@ namespace superstep {
 
 class Watchdog {
  public:
+  static constexpr double first_look = 10;  ///< s after which a forecast is worth something
+
   /// Watches from now on.
   ///   seconds  after which `flag` is set; 0 = never
   ///   of_cpu   they are CPU time of the process, so that a busy machine makes no run late

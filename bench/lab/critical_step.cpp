@@ -10,8 +10,8 @@
 namespace superstep {
 namespace {
 
-constexpr double width = 1e-5;                      // relative, at which bisection ends
-constexpr double agreement = 0.01;                  // of bisection and Lanczos
+constexpr double bisection_width = 1e-5;            // relative, at which bisection ends
+constexpr double agreement_with_lanczos = 0.01;     // of bisection and Lanczos
 constexpr double published_alphas[] = {0.3, 0.15};  // Rojek & Nisar 2026, sections 9.1 and 9.2
 
 }  // namespace
@@ -28,9 +28,9 @@ CriticalStepStudy study_critical_step(PerturbationRhs& rhs, const StiffestMode& 
   const auto growth = [&](double step) {
     return meter.growth(fmt::format("forward-euler:step={:.17g}", step), step);
   };
-  study.limit = longest_stable_step(growth, health.certified_step(), width);
+  study.limit = longest_stable_step(growth, health.certified_step(), bisection_width);
   study.lanczos_ratio = health.critical_step() / study.limit;
-  study.agrees = std::abs(study.lanczos_ratio - 1) <= agreement;
+  study.agrees = std::abs(study.lanczos_ratio - 1) <= agreement_with_lanczos;
 
   const double pair = health.pair_step_bare;
   const auto add = [&](const std::string& name, double step, double factor, Tendency seen,

@@ -9,7 +9,6 @@
 namespace superstep {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double growth_looked_for = 2;
 constexpr double growth_tolerance = 0.01;  // power iteration approaches from below
 
@@ -28,7 +27,7 @@ double measured_response(PerturbationRhs& rhs, const StiffestMode& mode, const S
                          double step) {
   StepOperator one_step(rhs, method.spec(step), step);
   auto e = mode.shape;
-  return one_step.apply(e) ? capacity_product(rhs, mode.shape, e) : infinity;
+  return one_step.apply(e) ? capacity_product(rhs, mode.shape, e) : std::numeric_limits<double>::infinity();
 }
 
 void compare_responses(PerturbationRhs& rhs, const StiffestMode& mode, const StabilityModel& method,

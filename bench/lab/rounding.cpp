@@ -17,7 +17,7 @@
 namespace superstep {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double lost = std::numeric_limits<double>::infinity();
 constexpr std::size_t chain_nodes = 300;
 constexpr double run_time = 20000;     // s, twice the chain's slowest relaxation time
 constexpr double right_below = 1e-6;   // spans of rounding at the end of a run
@@ -69,7 +69,7 @@ ChainRun run_chain(Chain& chain, SuperstepShape shape, const std::string& order,
       make_integrator(fmt::format("sts:n={},nu={},order={},step={:.17g}", n, nu, order, critical_step));
   method->prepare(chain.rhs(), unguarded_plan(chain.rhs(), {t_end}));
   method->start(0, chain.initial());
-  if (!method->advance(t_end).ok()) return {infinity, infinity};
+  if (!method->advance(t_end).ok()) return {lost, lost};
   const std::vector<double> end(method->state().begin(), method->state().end());
   const auto superstepped = chain.evolved([&](long double rate) {
     return std::pow(superstep_response(n, nu, rate * critical_step), static_cast<long double>(supersteps));

@@ -40,16 +40,16 @@ double overshoot(LaboratoryNetwork& network, const std::string& spec, double ste
   return worst;
 }
 
-struct Contender {
+struct MethodAtPoint {
   std::string method, spec;
   double step;  ///< s
 };
 
 /// Explicit methods at their limits, the phi rule at the superstep's length.
-std::vector<Contender> contenders(const SweepPoint& point, double lambda_max) {
+std::vector<MethodAtPoint> contenders(const SweepPoint& point, double lambda_max) {
   const double critical_step = part_of_limit * 2 / lambda_max;
   const double superstep = critical_step * superstep_length(point.n, point.nu);
-  std::vector<Contender> out = {
+  std::vector<MethodAtPoint> out = {
       {"forward_euler", fmt::format("forward-euler:step={:.17g}", critical_step), critical_step},
       {"sts", fmt::format("sts:n={},nu={},step={:.17g}", point.n, point.nu, critical_step), superstep}};
   const auto add = [&](const StabilisedFamily& family, const char* spec) {

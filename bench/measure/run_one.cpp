@@ -15,8 +15,6 @@
 namespace superstep {
 namespace {
 
-constexpr double first_look = 10;  // s after which a forecast is worth something
-
 /// A method that usually is faster than one of small steps.
 std::string faster_method(Rhs& rhs, const MethodSpec& spec) {
   const std::string best = exactly_solvable(rhs) ? "exponential" : "rkc", other = "cvode";
@@ -38,7 +36,7 @@ class Watch {
   [[nodiscard]] std::atomic<double>* reached() noexcept { return reached_; }
   void stepping_begins() {
     if (!request_.limits.say) return;
-    dog_.look_after(first_look, [this, faster = faster_method(*scene_.rhs, spec_)](double seconds) {
+    dog_.look_after(Watchdog::first_look, [this, faster = faster_method(*scene_.rhs, spec_)](double seconds) {
       const double part = reached_->load(std::memory_order_relaxed) / scene_.t_end;
       const std::string text = forecast_text(spec_.text(), part, seconds, request_.limits.seconds, faster);
       if (!text.empty()) request_.limits.say(text);

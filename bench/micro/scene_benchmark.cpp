@@ -58,7 +58,7 @@ void integrate(benchmark::State& state, const std::string& spec) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-const bool registered = [] {
+const bool scenes_registered = [] {
   std::vector<std::string> specs;
   for (const auto& entry : integrators()) specs.push_back(entry.name);
   for (const char* solver : {"klu,ordering=metis", "klu,ordering=amd", "cholmod", "pcg", "gmres"})

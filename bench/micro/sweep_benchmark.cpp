@@ -146,7 +146,7 @@ void triad(benchmark::State& state) {
 }
 BENCHMARK(triad)->Name("triad");
 
-const bool registered = [] {
+const bool sweeps_registered = [] {
   omp_set_num_threads(1);  // Eigen and the triad would take all, and their CPU time is that of one
   for (const char* name : {"nial", "nial_file_order", "million", "million_file_order"}) register_sample(name);
   return true;

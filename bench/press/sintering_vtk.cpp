@@ -1,5 +1,7 @@
 #include "bench/press/sintering_vtk.hpp"
 
+#include <cmath>
+
 #include "dynamics/heat.hpp"
 
 namespace superstep {
@@ -53,12 +55,20 @@ VtkPolyData sintering_contacts(const Press& one, const dynamics::MovingNetwork& 
   }
   data.cell_data = {
       {"overlap", std::move(overlap)}, {"area", std::move(area)}, {"bonded", std::move(bonded)}};
-  add_flow(data, "temperature", contacts, state.temperature, [&](const dynamics::ContactPoint& contact) {
-    return dynamics::pair_conductance(one.model.thermal, contact);
-  });
+  add_flow(data, "temperature", contacts, state.temperature,
+           [&](const dynamics::ContactPoint& contact) { return dynamics::pair_conductance(contact); });
   if (one.model.electric.model == CurrentModel::potential)
     add_flow(data, "potential", contacts, state.electric, [&](const dynamics::ContactPoint& contact) {
-      return one.model.electric.conductivity * contact.area / contact.distance;
+      const auto sigma = [&](std::int32_t k, double field) {
+        const auto i = static_cast<std::size_t>(k);
+        const auto& law = one.model.electric;
+        return dynamics::value_of(one.particles.electric_conductivity, i, law.conductivity) *
+               law.saturation.factor(state.temperature[i], field);
+      };
+      const double drop = state.electric[static_cast<std::size_t>(contact.i)] -
+                          state.electric[static_cast<std::size_t>(contact.j)];
+      const double field = std::abs(drop) / contact.distance;
+      return 0.5 * (sigma(contact.i, field) + sigma(contact.j, field)) * contact.area / contact.distance;
     });
   return data;
 }

@@ -8,6 +8,7 @@ std::span<const CostConstant> cost_constants() {
   using C = CostConstants;
   static constexpr std::array list = {
       CostConstant{"sweep_row", &C::sweep_row, "s; a sweep over the network, each unknown"},
+      CostConstant{"sweep_nonzero", &C::sweep_nonzero, "s; the same, each nonzero off the diagonal"},
       CostConstant{"sweep_call", &C::sweep_call, "s; a sweep, however small"},
       CostConstant{"one_way_sweeps", &C::one_way_sweeps,
                    "sweeps; f where a potential drives the temperature"},
@@ -23,8 +24,8 @@ std::span<const CostConstant> cost_constants() {
                    "-; what squares of a potential at many instants cost more"},
       CostConstant{"lanczos_vectors", &C::lanczos_vectors, "-; vectors over sqrt(t rho)"},
       CostConstant{"lanczos_digit", &C::lanczos_digit, "-; vectors more over sqrt(t rho) ln(1/rtol)"},
-      CostConstant{"lanczos_product", &C::lanczos_product,
-                   "sweeps; a vector with its sums and its part of results"},
+      CostConstant{"lanczos_row", &C::lanczos_row,
+                   "s; a vector's sums and its part of results, each unknown"},
       CostConstant{"lanczos_vector", &C::lanczos_vector, "s; a vector, however small"},
       CostConstant{"lanczos_pair", &C::lanczos_pair, "s; the small problem, each pair of vectors"},
       CostConstant{"invert_call", &C::invert_call, "s; all of it, however small"},

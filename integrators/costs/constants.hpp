@@ -9,14 +9,14 @@ namespace superstep {
 
 /// All > 0. Seconds are those of the machine that was measured on; choices hang on their quotients.
 struct CostConstants {
-  double sweep_row = 2.6e-9, sweep_call = 2e-7;
+  double sweep_row = 1e-9, sweep_nonzero = 3e-10, sweep_call = 2e-7;
   double one_way_sweeps = 2, nonlinear_sweeps = 2, coupled_sweeps = 4;
   double steady_solve = 1e-3;
   double coupled_radius = 2;
 
   double chebyshev_terms = 0.78, chebyshev_radius = 36, chebyshev_one_way = 3;
 
-  double lanczos_vectors = 0.22, lanczos_digit = 0.07, lanczos_product = 1.8;
+  double lanczos_vectors = 0.22, lanczos_digit = 0.07, lanczos_row = 1.5e-9;
   double lanczos_vector = 2e-6, lanczos_pair = 1e-8;
 
   double invert_call = 3e-5, invert_analysis = 400, invert_factor = 700, invert_solve = 45;
@@ -24,7 +24,7 @@ struct CostConstants {
   double rock_steps = 15, rock_growth = 0.25, rock_piece = 6, rock_interval = 0.35, rock_finish = 4;
   double rock_step = 2e-6;
 
-  double exprb_steps = 15, exprb_growth = 0.33, exprb_steady_growth = 0.5, exprb_piece = 4, exprb_vectors = 1,
+  double exprb_steps = 15, exprb_growth = 0.33, exprb_steady_growth = 1, exprb_piece = 4, exprb_vectors = 1,
          exprb_few = 12;
   double exprb_product = 2, exprb_vector = 2e-6;
 

@@ -11,7 +11,9 @@ namespace superstep::fitted {
 constexpr CostConstants constants() {
   CostConstants c;
   // s; a sweep over the network, each unknown
-  c.sweep_row = 2.22e-09;
+  c.sweep_row = 1e-09;
+  // s; the same, each nonzero off the diagonal
+  c.sweep_nonzero = 2.7e-10;
   // s; a sweep, however small
   c.sweep_call = 8.58e-08;
   // sweeps; f where a potential drives the temperature
@@ -34,8 +36,8 @@ constexpr CostConstants constants() {
   c.lanczos_vectors = 0.277;
   // -; vectors more over sqrt(t rho) ln(1/rtol)
   c.lanczos_digit = 0.0696;
-  // sweeps; a vector with its sums and its part of results
-  c.lanczos_product = 2.49;
+  // s; a vector's sums and its part of results, each unknown
+  c.lanczos_row = 1.5e-09;
   // s; a vector, however small
   c.lanczos_vector = 2.18e-06;
   // s; the small problem, each pair of vectors

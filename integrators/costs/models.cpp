@@ -54,7 +54,7 @@ double lanczos_seconds(const Work& work, double rtol, const CostConstants& c) {
   constexpr double margin = 1.5;  // spaces of driven scenes cannot begin anew
   if (work.shapes > 0 && margin * spaces * vectors > room) return never;
   const double vector =
-      c.lanczos_product * sweep_seconds(work, c) + c.lanczos_vector + c.lanczos_pair * vectors;
+      sweep_seconds(work, c) + c.lanczos_row * work.unknowns + c.lanczos_vector + c.lanczos_pair * vectors;
   return vector * spaces * vectors * std::sqrt(bases);
 }
 
@@ -162,7 +162,7 @@ std::string family_spec(Family family, Physics physics) {
 }
 
 double sweep_seconds(const Work& work, const CostConstants& constants) noexcept {
-  return constants.sweep_row * work.unknowns + constants.sweep_call;
+  return constants.sweep_row * work.unknowns + constants.sweep_nonzero * work.nonzeros + constants.sweep_call;
 }
 
 double predicted_seconds(Family family, const Work& work, double rtol, const CostConstants& constants) {

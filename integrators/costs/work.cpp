@@ -39,10 +39,13 @@ Work work_of(Rhs& rhs, double t_begin, std::span<const double> output_times, dou
   const double shortest = first == output_times.end() ? time : *first - t_begin;
   const auto& points = rhs.facts().breakpoints;
   const auto within = [&](const Breakpoint& point) { return point.t > t_begin && point.t < end; };
+  double nonzeros = 0;
+  for (const auto& field : rhs.facts().fields) nonzeros += static_cast<double>(field.nonzeros);
   const auto* nonlinear = dynamic_cast<const NonlinearRhs*>(&rhs);
   return {.physics = physics_in(rhs),
           .steady = nonlinear && nonlinear->solves_for_potential(),
           .unknowns = static_cast<double>(rhs.reduction().total()),
+          .nonzeros = nonzeros,
           .t_rho = time * rhs.spectral_bound(t_begin, zero),
           .pieces = 1 + static_cast<double>(std::count_if(points.begin(), points.end(), within)),
           .shapes = rhs.traits().linear ? static_cast<double>(rhs.input_shapes().size()) : 0,

@@ -26,6 +26,7 @@ struct Work {
   Physics physics = Physics::linear;
   bool steady = false;  ///< a potential is solved for at every state
   double unknowns = 0;
+  double nonzeros = 0;             ///< of the fields' matrices off their diagonals
   double t_rho = 0;                ///< time times the certified bound of the spectral radius at zero [-]
   double pieces = 1;               ///< between breakpoints of the inputs
   double shapes = 0;               ///< of inputs that change in time: each needs a Krylov space of its own

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -54,7 +55,7 @@ class Reader {
   void get(std::vector<Value>& values) {
     std::uint64_t size = 0;
     get(size);
-    if (size > rest_.size()) need(rest_.size() + 1);
+    if (size > rest_.size() / sizeof(Value)) damaged();
     values.resize(static_cast<std::size_t>(size));
     for (auto& value : values) get(value);
   }
@@ -93,6 +94,10 @@ void visit_row(Stream& stream, Row& row, Visit visit) {
   visit(stream, row.step);
   visit(stream, row.iterations);
   visit(stream, row.rejections);
+  for (auto* energy : {&row.wall_work, &row.potential_energy, &row.elastic_energy, &row.dissipated,
+                       &row.joule_heat, &row.heat_lost, &row.heat_content})
+    visit(stream, *energy);
+  visit(stream, row.landed);
 }
 
 template <class Stream, class Content, class Visit>
@@ -100,6 +105,11 @@ void visit_content(Stream& stream, Content& content, Visit visit) {
   visit(stream, content.particles.id);
   visit(stream, content.particles.radius);
   visit(stream, content.particles.mass);
+  visit(stream, content.particles.material);
+  visit(stream, content.particles.specific_heat);
+  visit(stream, content.particles.conductivity);
+  visit(stream, content.particles.electric_conductivity);
+  visit(stream, content.particles.hardness);
   visit(stream, content.state.time);
   visit(stream, content.state.position);
   visit(stream, content.state.velocity);
@@ -108,6 +118,33 @@ void visit_content(Stream& stream, Content& content, Visit visit) {
   visit(stream, content.state.bonds);
   visit(stream, content.next_step);
   visit(stream, content.model);
+}
+
+bool is_finite(double value) {
+  return std::isfinite(value);
+}
+bool is_finite(const Vec3& value) {
+  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+}
+
+/// A checksum that fits says that nothing was damaged, and not that it makes sense: whoever goes on from the
+/// state finds a value for each particle, numbers, and bonds between particles.
+bool makes_sense(const Checkpoint& one) {
+  const auto& [time, position, velocity, temperature, electric, bonds] = one.state;
+  const std::size_t n = one.particles.id.size();
+  const auto all_finite = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [](const auto& value) { return is_finite(value); });
+  };
+  const auto joins_particles = [&](const Bond& bond) {
+    const auto is_one = [n](std::int32_t i) { return i >= 0 && static_cast<std::size_t>(i) < n; };
+    return is_one(bond.i) && is_one(bond.j) && bond.i != bond.j && is_finite(bond.overlap) &&
+           is_finite(bond.growth);
+  };
+  return one.particles.radius.size() == n && one.particles.mass.size() == n && position.size() == n &&
+         velocity.size() == n && temperature.size() == n && (electric.empty() || electric.size() == n) &&
+         is_finite(time) && is_finite(one.next_step) && all_finite(position) && all_finite(velocity) &&
+         all_finite(temperature) && all_finite(electric) &&
+         std::all_of(bonds.begin(), bonds.end(), joins_particles);
 }
 
 }  // namespace
@@ -136,8 +173,14 @@ Checkpoint read_checkpoint(const std::string& path) {
   if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   const std::string image{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  constexpr std::string_view any_version = "superstep checkpoint ";
+  if (image.starts_with(any_version) && image.size() >= magic.size() && !image.starts_with(magic))
+    throw InputError(
+        fmt::format("{}: is a checkpoint of version {}, and this program reads version {}; go on with "
+                    "the program that wrote it, or start anew",
+                    path, image.substr(any_version.size(), 1), magic.substr(any_version.size(), 1)));
   if (!image.starts_with(magic))
-    throw InputError(fmt::format("{}: is not a checkpoint of this version of the program", path));
+    throw InputError(fmt::format("{}: is no checkpoint; name a checkpoint.bin", path));
   constexpr std::size_t checksum_size = 32;
   const std::string_view rest = std::string_view(image).substr(magic.size());
   const std::string_view body = rest.substr(std::min(checksum_size, rest.size()));
@@ -155,6 +198,8 @@ Checkpoint read_checkpoint(const std::string& path) {
     checkpoint.history.push_back(row);
   }
   in.finish();
+  if (!makes_sense(checkpoint))
+    throw InputError(fmt::format("{}: holds values that no run has written; write it anew", path));
   return checkpoint;
 }
 

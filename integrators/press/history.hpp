@@ -19,6 +19,15 @@ struct HistoryRow {
   double step = 0;              ///< size of the step [s]
   std::int64_t iterations = 0;  ///< fixed-point iterations of the step
   std::int64_t rejections = 0;  ///< restarts of the step
+  // Since the start [J], by the mean of the powers at both ends of each step.
+  double wall_work = 0;         ///< of the upper wall on the particles
+  double potential_energy = 0;  ///< of their weight
+  double elastic_energy = 0;    ///< that contacts and necks have taken up
+  double dissipated = 0;        ///< in damping, friction and drag
+  double joule_heat = 0;        ///< of the current in particles that are not held at a temperature
+  double heat_lost = 0;         ///< to walls, and to hold particles at the temperature of theirs
+  double heat_content = 0;      ///< sum of m C T now [J]
+  std::int32_t landed = 0;      ///< 1 = the step ended where something jumped (`control = "steady"`)
 };
 
 }  // namespace superstep::dynamics

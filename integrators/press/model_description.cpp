@@ -84,6 +84,10 @@ void add_fields(Description& out, const Model& model) {
                                                                : "potential");
   if (electric.model == CurrentModel::none) return;
   out.add("conductivity", electric.conductivity);
+  const Saturation& saturation = electric.saturation;
+  out.add("saturation", fmt::format("[{}, {}, {}, {}, {}, {}]", saturation.thermal, saturation.thermal_slope,
+                                    saturation.temperature, saturation.field, saturation.field_slope,
+                                    saturation.reference_field));
   out.add("absorption", electric.absorption);
   out.add("hold_temperature", electric.hold_temperature);
 }
@@ -95,7 +99,7 @@ void add_schedule(Description& out, const Schedule& schedule, double t) {
   for (const auto& phase : schedule.phases()) {
     if (phase.begin > t) return;
     out.begin(fmt::format("dynamics.phases[{}]", number++));
-    out.add("name", quoted(phase.name));
+    out.add("name", in_quotes(phase.name));
     out.add("begin", phase.begin);
     out.add("wall at its begin", phase.upper_wall_begin);
     out.add("wall speed", phase.wall_velocity());
@@ -131,7 +135,7 @@ void require_same_model(const Checkpoint& stored, const Model& model, const std:
     if (was != is)
       throw InputError(
           fmt::format("{}: was written with {}, and {} has {}; restart with the case that wrote it", file,
-                      quoted(was), case_file, quoted(is)));
+                      in_quotes(was), case_file, in_quotes(is)));
   }
   const auto phases = static_cast<std::int64_t>(model.schedule.phases().size());
   for (const auto& row : stored.history)

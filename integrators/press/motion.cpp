@@ -27,6 +27,10 @@ Motion::Motion(const Model& model, const Particles& particles, const SteppingSet
   if (particles.size() == 0) throw InputError("there are no particles; give at least one");
   check_settings(settings);
   stepper_ = make_stepper(settings, network_);
+  steady_ = settings.control == SteppingSettings::Control::steady &&
+            settings.scheme == SteppingSettings::Scheme::staggered;
+  locates_ = steady_ && has_switches(model);
+  smallest_radius_ = *std::min_element(particles.radius.begin(), particles.radius.end());
 }
 
 void Motion::start(State state) {
@@ -39,6 +43,7 @@ void Motion::start(State state) {
   network_.resume(state_, phase);
   network_.settle(state_, phase);
   stepper_->begin(state_);
+  powers_ = powers_of(network_, state_.velocity, state_.temperature);
   record(phase, 0, 0, 0);
 }
 
@@ -53,6 +58,7 @@ void Motion::resume(State state, double next_step, std::vector<HistoryRow> histo
   }
   network_.resume(state_, model_.schedule.at(state_.time));
   stepper_->begin(state_);
+  powers_ = powers_of(network_, state_.velocity, state_.temperature);
 }
 
 Outcome Motion::advance(double t_out) {
@@ -72,9 +78,10 @@ Outcome Motion::take_step(double t_out) {
   const double longest = std::min({settings_.largest_step, stepper_->limit(), travel_limit()});
   for (std::int64_t rejections = 0;; ++rejections) {
     const double remaining = end - state_.time;
-    const double h = fitted(std::min(step_, longest), remaining);
+    double h = fitted(std::min(step_, longest), remaining);
+    bool landed = false;
+    const Attempt attempt = land(phase, h, landed);
     const bool to_end = h == remaining;
-    const Attempt attempt = stepper_->attempt(state_, phase, h);
     if (!attempt.failure.ok()) return attempt.failure;
     if (attempt.converged) {
       state_.time = to_end ? end : state_.time + h;
@@ -82,7 +89,7 @@ Outcome Motion::take_step(double t_out) {
       const double factor = settings_.bounds.after_success(attempt.factor);
       const double wanted = h * (rejections > 0 ? std::min(factor, 1.0) : factor);
       step_ = std::min(settings_.largest_step, h < step_ * (1 - rounding) ? std::max(step_, wanted) : wanted);
-      accept(phase, h, attempt, rejections);
+      accept(phase, h, attempt, rejections, landed);
       return check();
     }
     // A restart begins from the same state, whose current is solved already (Algorithm 1, step 7b).
@@ -96,23 +103,100 @@ Outcome Motion::take_step(double t_out) {
 /// Step in which nobody goes too far at the speed of now [s]; what forces add, the steppers watch.
 double Motion::travel_limit() const {
   constexpr double margin = 0.8;  // for what they add
-  double fastest = 0;             // radii a second
+  double fastest = 0;             // smallest radii a second
   for (std::size_t i = 0; i < state_.size(); ++i)
-    fastest = std::max(fastest, norm(state_.velocity[i]) / particles_.radius[i]);
+    fastest = std::max(fastest, norm(state_.velocity[i]) / smallest_radius_);
   return fastest > 0 ? margin * farthest_in_a_step / fastest : std::numeric_limits<double>::infinity();
 }
 
-void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections) {
+/// A step of h [s], or to just behind the first jump in it: `h` becomes shorter then. More than a few jumps
+/// in one step are not worth a step each, nor are those of somebody who hovers at a wall or a threshold: they
+/// happen at the end of their step.
+Attempt Motion::land(const Phase& phase, double& h, bool& landed) {
+  constexpr std::size_t few = 4;
+  constexpr int trials = 8;
+  constexpr double close = 1e-5;  // of a step: a jump that is late by that
+  if (!locates_ || landings_lately(h) >= few) return stepper_->attempt(state_, phase, h);
+  before_ = state_;
+  const double whole = h;
+  double beyond = 1e-2 * close * whole;  // behind where it is expected: what is there has happened
+  for (int trial = 0;; ++trial) {
+    Attempt attempt = stepper_->attempt(state_, phase, h);
+    if (!attempt.failure.ok() || !attempt.converged) return attempt;
+    const auto switches = find_switches(network_, before_, state_, phase, h);
+    landed = !switches.empty() && (1 - switches.front().part) * h <= close * whole;
+    const bool many = trial == 0 && switches.size() > few, none = trial == 0 && switches.empty();
+    if (landed || many || none || trial == trials) return attempt;
+    if (switches.empty()) beyond *= 10;  // stopped short of it
+    const double next = switches.empty() ? h + beyond : switches.front().part * h + beyond;
+    h = std::clamp(next, std::max(close * whole, settings_.smallest_step), whole);
+    state_ = before_;
+  }
+}
+
+/// Landings of the last eight steps' time.
+std::size_t Motion::landings_lately(double h) const {
+  constexpr double steps = 8;
+  std::size_t count = 0;
+  for (auto row = history_.rbegin(); row != history_.rend() && row->time > state_.time - steps * h; ++row)
+    count += row->landed ? 1 : 0;
+  return count;
+}
+
+/// The heat of the current is that of the step's begin all through the step; half of its change makes it the
+/// mean, so that temperatures are of order 2 with currents that change. What jumps at the end was not there
+/// before. True where any temperature changed.
+bool Motion::correct_heat(double h, double& heat_added) {
+  const auto heat = network_.current().heat();
+  const auto carrying = network_.current().carrying();
+  const auto held = network_.held();
+  bool changed = false;
+  for (std::size_t i = 0; i < heat.size(); ++i) {
+    if (held[i] >= 0 || carrying[i] != carrying_begin_[i] || heat[i] == heat_begin_[i]) continue;
+    const double more = settings_.phi * h * (heat[i] - heat_begin_[i]);
+    state_.temperature[i] += more / heat_capacity(model_.thermal, particles_, i);
+    heat_added += more;
+    changed = true;
+  }
+  return changed;
+}
+
+void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections,
+                    bool landed) {
   iterations_ += static_cast<std::uint64_t>(attempt.iterations);
   if (observe_step) observe_step(network_, h);
   connected_ = network_.current().connected();
+  const bool corrects = steady_ && !landed && model_.electric.model != CurrentModel::none;
+  if (corrects) {
+    const auto heat = network_.current().heat();
+    const auto carrying = network_.current().carrying();
+    heat_begin_.assign(heat.begin(), heat.end());
+    carrying_begin_.assign(carrying.begin(), carrying.end());
+  }
+  const double content = heat_content(network_, state_.temperature);
   network_.settle(state_, phase);
+  const double held_back = content - heat_content(network_, state_.temperature);
+  double corrected = 0;
+  if (corrects && correct_heat(h, corrected)) network_.refresh(state_, phase);
   stepper_->begin(state_);
+  const HistoryRow before = history_.empty() ? HistoryRow{} : history_.back();
+  const Powers end = powers_of(network_, state_.velocity, state_.temperature);
   record(phase, h, attempt.iterations, rejections);
+  HistoryRow& row = history_.back();
+  row.landed = landed ? 1 : 0;
+  const bool staggered = settings_.scheme == SteppingSettings::Scheme::staggered;
+  add_energies(before, powers_, end, h, staggered ? settings_.phi : 0, row);
+  row.joule_heat += corrected;
+  row.heat_lost += held_back;
+  powers_ = end;
   if (const Phase& next = model_.schedule.at(state_.time); &next != &phase) {
     network_.place(state_.position, state_.temperature, next, state_.time);
+    history_.back().heat_lost += heat_content(network_, state_.temperature);
     network_.settle(state_, next);
+    history_.back().heat_content = heat_content(network_, state_.temperature);
+    history_.back().heat_lost -= history_.back().heat_content;
     stepper_->begin(state_);
+    powers_ = powers_of(network_, state_.velocity, state_.temperature);
   }
   if (after_step) after_step();
 }
@@ -158,6 +242,7 @@ void Motion::record(const Phase& phase, double h, std::int64_t iterations, std::
     row.kinetic_energy += 0.5 * particles_.mass[i] * dot(state_.velocity[i], state_.velocity[i]);
   }
   row.mean_temperature /= static_cast<double>(state_.size());
+  row.heat_content = heat_content(network_, state_.temperature);
   row.wall_force = stepper_->wall_force();
   row.bonds = static_cast<std::int64_t>(state_.bonds.size());
   row.contacts = static_cast<std::int64_t>(network_.contacts().touching());

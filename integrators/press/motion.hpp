@@ -10,7 +10,9 @@
 #include "dynamics/moving_network.hpp"
 #include "dynamics/stepping.hpp"
 #include "integrators/integrator.hpp"
+#include "integrators/press/energy.hpp"
 #include "integrators/press/history.hpp"
+#include "integrators/press/switches.hpp"
 #include "integrators/press/thermal_bridge.hpp"
 
 namespace superstep::dynamics {
@@ -42,8 +44,8 @@ class Stepper {
   [[nodiscard]] virtual const ThermalBridge* bridge() const noexcept = 0;
 };
 
-/// How far a particle may go in one step, in its radii: two that fly at each other are then seen to overlap,
-/// at any speed, before they could be through.
+/// How far a particle may go in one step, in the smallest radius: two that fly at each other are then seen to
+/// overlap, at any speed, before they could be through.
 inline constexpr double farthest_in_a_step = 0.5;
 
 [[nodiscard]] std::unique_ptr<Stepper> make_stepper(const SteppingSettings& settings, MovingNetwork& network);
@@ -84,7 +86,10 @@ class Motion {
  private:
   [[nodiscard]] Outcome take_step(double t_out);
   [[nodiscard]] double travel_limit() const;
-  void accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections);
+  [[nodiscard]] Attempt land(const Phase& phase, double& h, bool& landed);
+  [[nodiscard]] std::size_t landings_lately(double h) const;
+  void accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections, bool landed);
+  [[nodiscard]] bool correct_heat(double h, double& heat_added);
   [[nodiscard]] Outcome check() const;
   [[nodiscard]] Outcome collapsed(double h, const Attempt& attempt) const;
   void record(const Phase& phase, double h, std::int64_t iterations, std::int64_t rejections);
@@ -98,6 +103,12 @@ class Motion {
   double step_ = 0;
   std::uint64_t rejected_ = 0, iterations_ = 0;
   std::size_t connected_ = 0;
+  bool steady_ = false, locates_ = false;
+  double smallest_radius_ = 0;
+  Powers powers_;                   // where the step at hand begins
+  State before_;                    // of the step at hand
+  std::vector<double> heat_begin_;  // [W]
+  std::vector<char> carrying_begin_;
   std::vector<HistoryRow> history_;
 };
 

@@ -8,7 +8,10 @@
 namespace superstep::dynamics {
 
 PlainStepper::PlainStepper(const SteppingSettings& settings, MovingNetwork& network)
-    : fraction_(settings.fraction), network_(network) {
+    : fraction_(settings.fraction),
+      smallest_radius_(
+          *std::min_element(network.particles().radius.begin(), network.particles().radius.end())),
+      network_(network) {
   if (!settings.thermal_integrator.empty()) bridge_.emplace(settings.thermal_integrator);
   const std::size_t n = network.particles().size();
   for (auto* v : {&force_, &position_, &velocity_}) v->resize(n);
@@ -37,10 +40,10 @@ Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
     temperature_[i] = state.temperature[i] + (bridge_ ? 0 : h * rate_[i]);
   }
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const double moved = norm(position_[i] - state.position[i]) / network_.particles().radius[i];
+    const double moved = norm(position_[i] - state.position[i]) / smallest_radius_;
     if (moved <= farthest_in_a_step) continue;
     attempt.culprit = static_cast<std::int32_t>(i);
-    attempt.why = fmt::format("would go {:.3g} of its radius in one step", moved);
+    attempt.why = fmt::format("would go {:.3g} of the smallest radius in one step", moved);
     attempt.factor = farthest_in_a_step / moved;
     return attempt;
   }

@@ -16,8 +16,9 @@ struct FieldError {
   double last = 0;          ///< w_K
 
   void begin() noexcept { first = last = 0; }
-  void measure(int iteration, double change, double moved) noexcept {
-    last = change > 0 ? change / moved : 0;
+  ///   rounding  of the values themselves: a change below that tells nothing
+  void measure(int iteration, double change, double moved, double rounding) noexcept {
+    last = change > rounding ? change / moved : 0;
     if (iteration == 1) first = last;
   }
   [[nodiscard]] double violation() const noexcept { return last / tolerance; }

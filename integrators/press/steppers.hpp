@@ -1,6 +1,7 @@
 #pragma once
 /// The ways to take a step of the moving network.
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,7 @@ class StaggeredStepper final : public Stepper {
   StaggeredStepper(const SteppingSettings& settings, MovingNetwork& network);
   void begin(const State& state) override;
   [[nodiscard]] Attempt attempt(State& state, const Phase& phase, double h) override;
-  [[nodiscard]] double limit() const noexcept override { return settings_.largest_step; }
+  [[nodiscard]] double limit() const noexcept override { return limit_; }
   [[nodiscard]] double wall_force() const noexcept override { return wall_force_; }
   [[nodiscard]] const ThermalBridge* bridge() const noexcept override {
     return bridge_ ? &*bridge_ : nullptr;
@@ -38,6 +39,9 @@ class StaggeredStepper final : public Stepper {
   [[nodiscard]] Outcome bridge_heat(const State& state, double h);
   [[nodiscard]] Attempt failed(const State& state, int iteration, double wanted) const;
   void blame(const State& state, Attempt& attempt) const;
+  [[nodiscard]] bool steady() const noexcept {
+    return settings_.control == SteppingSettings::Control::steady;
+  }
   [[nodiscard]] double factor(int iteration, double unknown) const;
   [[nodiscard]] double shortened() const;
 
@@ -45,11 +49,13 @@ class StaggeredStepper final : public Stepper {
   MovingNetwork& network_;
   std::optional<ThermalBridge> bridge_;
   Reduction reduction_;
-  double wall_force_ = 0;
-  double travelled_ = 0;  // of the trial at hand: the longest way, in radii
+  double wall_force_ = 0, limit_ = std::numeric_limits<double>::infinity();
+  double smallest_radius_;
+  double travelled_ = 0;  // of the trial at hand: the longest way, in smallest radii
   std::vector<Vec3> force_, force_begin_, position_, position_before_, velocity_;
   std::vector<double> rate_, rate_begin_, temperature_, temperature_before_;
   FieldError position_error_, temperature_error_;
+  double position_rounding_ = 0, temperature_rounding_ = 0;  // of sums over all particles [m], [K]
 };
 
 /// Semi-implicit Euler: v = v_L + h F_L/m, then r = r_L + h v; T by forward Euler. One evaluation of the
@@ -66,7 +72,7 @@ class PlainStepper final : public Stepper {
   }
 
  private:
-  double fraction_;
+  double fraction_, smallest_radius_;
   MovingNetwork& network_;
   std::optional<ThermalBridge> bridge_;
   double limit_ = 0, wall_force_ = 0;

@@ -62,7 +62,7 @@ TomlTable parse_case(const std::string& path) {
     throw InputError(fmt::format(
         "{}: this is a packing; give the case that names it: a TOML file with [packing] file = {} (see "
         "cases/README.md)",
-        path, superstep::quoted(std::filesystem::path(path).filename().string())));
+        path, superstep::in_quotes(std::filesystem::path(path).filename().string())));
   }
 }
 

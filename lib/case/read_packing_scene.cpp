@@ -27,6 +27,8 @@ std::vector<double> positive_numbers(const TomlValue& value) {
   return numbers;
 }
 
+}  // namespace
+
 SizeDistribution read_sizes(TomlTable table, double unit) {
   SizeDistribution sizes;
   const auto kind = table.require("distribution", "it must be lognormal, uniform or list");
@@ -50,6 +52,8 @@ SizeDistribution read_sizes(TomlTable table, double unit) {
   table.finish();
   return sizes;
 }
+
+namespace {
 
 std::int64_t non_negative(TomlTable& table, const std::string& key, std::int64_t fallback) {
   const auto value = table.find(key);

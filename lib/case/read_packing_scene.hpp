@@ -1,10 +1,12 @@
 #pragma once
 /// `[packing]` and `[contact]` of a case: particles, contacts, necks.
 
+#include <optional>
 #include <string>
 
 #include "case/scene.hpp"
 #include "core/text/toml.hpp"
+#include "packing/generate.hpp"
 
 namespace superstep {
 
@@ -29,5 +31,9 @@ void read_contact_table(TomlTable& root, const std::string& place, PackingInput&
 
 /// `file` as named in the case at `case_path`: relative names start at the case's folder.
 [[nodiscard]] std::string beside_case(const std::string& case_path, const std::string& file);
+
+/// A table of sizes: distribution = "lognormal", "uniform" or "list", with its numbers.
+///   unit  m per length of the table
+[[nodiscard]] SizeDistribution read_sizes(TomlTable table, double unit);
 
 }  // namespace superstep

@@ -19,10 +19,6 @@ Vec3 point(TomlTable& table, const std::string& key, double unit) {
   return unit * Vec3{numbers[0], numbers[1], numbers[2]};
 }
 
-double component(Vec3 v, char axis) noexcept {
-  return axis == 'x' ? v.x : axis == 'y' ? v.y : v.z;
-}
-
 template <class Inside>
 std::vector<char> mask(const Packing& packing, Inside inside) {
   std::vector<char> out(packing.size());

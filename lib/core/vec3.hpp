@@ -21,6 +21,10 @@ constexpr Vec3 operator*(double s, Vec3 a) noexcept {
 constexpr double dot(Vec3 a, Vec3 b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Along an axis, 'x', 'y' or 'z'.
+constexpr double component(Vec3 v, char axis) noexcept {
+  return axis == 'x' ? v.x : axis == 'y' ? v.y : v.z;
+}
 inline double norm(Vec3 a) noexcept {
   return std::sqrt(dot(a, a));
 }

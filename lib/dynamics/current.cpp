@@ -1,6 +1,7 @@
 #include "dynamics/current.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/index.hpp"
@@ -13,30 +14,53 @@ const std::optional<double>& Electrodes::of(Wall wall) const noexcept {
 }
 
 CurrentField::CurrentField(const ElectricLaw& law, const Particles& particles)
-    : law_(law), laplacian_(law.solver, law.tolerance), heat_(particles.size(), 0.0) {
+    : law_(law),
+      particles_(particles),
+      laplacian_(law.solver, law.tolerance),
+      carrying_(particles.size(), 0),
+      heat_(particles.size(), 0.0) {
   for (const double r : particles.radius) volume_.push_back(4.0 / 3.0 * std::numbers::pi * r * r * r);
 }
 
+/// sigma_0 of the particle, at this temperature and field [S/m].
+double CurrentField::conductivity(std::size_t i, double temperature, double field) const {
+  return value_of(particles_.electric_conductivity, i, law_.conductivity) *
+         law_.saturation.factor(temperature, field);
+}
+
 void CurrentField::update(const Placement& placement, const Electrodes& electrodes,
-                          std::span<double> electric) {
-  evaluate(placement, electrodes, electric, Values::solve);
+                          std::span<const double> temperature, std::span<double> electric) {
+  evaluate(placement, electrodes, temperature, electric, Values::solve);
 }
 
 void CurrentField::restore(const Placement& placement, const Electrodes& electrodes,
-                           std::span<double> electric) {
-  evaluate(placement, electrodes, electric, Values::given);
+                           std::span<const double> temperature, std::span<double> electric) {
+  evaluate(placement, electrodes, temperature, electric, Values::given);
 }
 
 void CurrentField::evaluate(const Placement& placement, const Electrodes& electrodes,
-                            std::span<double> electric, Values values) {
+                            std::span<const double> temperature, std::span<double> electric, Values values) {
   std::fill(heat_.begin(), heat_.end(), 0.0);
-  connected_ = 0;
+  std::fill(carrying_.begin(), carrying_.end(), 0);
   if (law_.model == CurrentModel::none || !electrodes.any())
     std::fill(electric.begin(), electric.end(), 0.0);
   else if (law_.model == CurrentModel::averaging)
-    averaging(placement, electrodes, electric, values);
+    averaging(placement, electrodes, temperature, electric, values);
   else
-    potential(placement, electrodes, electric, values);
+    potential(placement, electrodes, temperature, electric, values);
+  connected_ = static_cast<std::size_t>(std::count(carrying_.begin(), carrying_.end(), 1));
+}
+
+std::vector<char> CurrentField::reachable(const Placement& placement, const Electrodes& electrodes) const {
+  std::vector<char> fixed(particles_.size(), 0);
+  for (const auto& contact : placement.walls)
+    if (electrodes.of(contact.wall)) fixed[at(contact.particle)] = 1;
+  std::vector<WeightedEdge> edges;
+  for (const auto& contact : placement.contacts)
+    if (contact.area > 0) edges.push_back({contact.i, contact.j, contact.area});
+  WeightedLaplacian paths(law_.solver, law_.tolerance);
+  paths.find_reached(edges, fixed);
+  return {paths.reached().begin(), paths.reached().end()};
 }
 
 void CurrentField::solve(std::span<double> x, Values values) {
@@ -50,7 +74,7 @@ void CurrentField::solve(std::span<double> x, Values values) {
 // the one it is pressed into deeper). H_i = a J_i^2 V_i/sigma. Source: Zohdi (2014), eqs 35 and 42,
 // section 5.2.
 void CurrentField::averaging(const Placement& placement, const Electrodes& electrodes,
-                             std::span<double> electric, Values values) {
+                             std::span<const double> temperature, std::span<double> electric, Values values) {
   const std::size_t n = electric.size();
   fixed_.assign(n, 0);
   depth_.assign(n, 0.0);
@@ -66,37 +90,39 @@ void CurrentField::averaging(const Placement& placement, const Electrodes& elect
   for (const auto& contact : placement.contacts)
     if (contact.area > 0) edges_.push_back({contact.i, contact.j, contact.area});
   solve(electric, values);
-  for (std::size_t i = 0; i < n; ++i) {
-    connected_ += laplacian_.reached()[i] ? 1 : 0;
-    heat_[i] = law_.absorption * electric[i] * electric[i] * volume_[i] / law_.conductivity;
-  }
+  std::copy_n(laplacian_.reached().begin(), n, carrying_.begin());
+  for (std::size_t i = 0; i < n; ++i)
+    heat_[i] = law_.absorption * electric[i] * electric[i] * volume_[i] / conductivity(i, temperature[i], 0);
 }
 
 // Resistors sigma A/d between particles and to the walls, which are two nodes more. The heat of a branch goes
 // to its two particles in equal parts (equal materials); that of a branch to a wall goes to its particle.
 void CurrentField::potential(const Placement& placement, const Electrodes& electrodes,
-                             std::span<double> electric, Values values) {
+                             std::span<const double> temperature, std::span<double> electric, Values values) {
   const std::size_t n = electric.size();
-  const auto node_of = [&](Wall wall) {
-    return static_cast<std::int32_t>(wall == superstep::dynamics::lower ? n : n + 1);
-  };
   values_.assign(electric.begin(), electric.end());
   values_.push_back(electrodes.lower.value_or(0.0));
   values_.push_back(electrodes.upper.value_or(0.0));
   fixed_.assign(n + 2, 0);
   fixed_[n] = electrodes.lower.has_value();
   fixed_[n + 1] = electrodes.upper.has_value();
-  edges_.clear();
-  for (const auto& contact : placement.contacts)
-    if (contact.area > 0)
-      edges_.push_back({contact.i, contact.j, law_.conductivity * contact.area / contact.distance});
-  for (const auto& contact : placement.walls)
-    if (electrodes.of(contact.wall) && contact.distance > 0)
-      edges_.push_back(
-          {contact.particle, node_of(contact.wall), law_.conductivity * contact.area / contact.distance});
-  solve(values_, values);
+  // Where the conductivity follows the field, conductances and potentials are found in turn; each such law is
+  // bounded and smooth, and the turns end when no potential changes any more.
+  const int turns = law_.saturation.field != 0 && values == Values::solve ? 100 : 1;
+  for (int turn = 0; turn < turns; ++turn) {
+    before_ = values_;
+    find_branches(placement, electrodes, n, temperature);
+    solve(values_, values);
+    double change = 0, largest = 0;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      change = std::max(change, std::abs(values_[i] - before_[i]));
+      largest = std::max(largest, std::abs(values_[i]));
+    }
+    if (!(change > law_.tolerance * largest)) break;
+  }
+  if (law_.saturation.field != 0) find_branches(placement, electrodes, n, temperature);
   std::copy_n(values_.begin(), n, electric.begin());
-  for (std::size_t i = 0; i < n; ++i) connected_ += laplacian_.reached()[i] ? 1 : 0;
+  std::copy_n(laplacian_.reached().begin(), n, carrying_.begin());
   for (const auto& edge : edges_) {
     const std::size_t i = at(edge.i), j = at(edge.j);
     const double drop = values_[i] - values_[j];
@@ -107,6 +133,29 @@ void CurrentField::potential(const Placement& placement, const Electrodes& elect
       heat_[i] += 0.5 * heat;
       heat_[j] += 0.5 * heat;
     }
+  }
+}
+
+/// Conductances sigma A/d of all branches, at the field that the potentials at hand give.
+void CurrentField::find_branches(const Placement& placement, const Electrodes& electrodes, std::size_t n,
+                                 std::span<const double> temperature) {
+  edges_.clear();
+  const auto field = [&](std::int32_t i, std::int32_t j, double distance) {
+    return std::abs(values_[at(i)] - values_[at(j)]) / distance;
+  };
+  for (const auto& contact : placement.contacts) {
+    if (!(contact.area > 0)) continue;
+    const double e = field(contact.i, contact.j, contact.distance);
+    const double sigma = 0.5 * (conductivity(at(contact.i), temperature[at(contact.i)], e) +
+                                conductivity(at(contact.j), temperature[at(contact.j)], e));
+    edges_.push_back({contact.i, contact.j, sigma * contact.area / contact.distance});
+  }
+  for (const auto& contact : placement.walls) {
+    if (!electrodes.of(contact.wall) || !(contact.distance > 0)) continue;
+    const auto wall = static_cast<std::int32_t>(contact.wall == superstep::dynamics::lower ? n : n + 1);
+    const double sigma = conductivity(at(contact.particle), temperature[at(contact.particle)],
+                                      field(contact.particle, wall, contact.distance));
+    edges_.push_back({contact.particle, wall, sigma * contact.area / contact.distance});
   }
 }
 

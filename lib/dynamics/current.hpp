@@ -19,35 +19,46 @@ struct Electrodes {
 
 class CurrentField {
  public:
+  /// Keeps a reference to the particles.
   CurrentField(const ElectricLaw& law, const Particles& particles);
 
   /// Solves for `electric` [n] (currents, or potentials) at these contacts and fills `heat()`.
-  void update(const Placement& placement, const Electrodes& electrodes, std::span<double> electric);
+  void update(const Placement& placement, const Electrodes& electrodes, std::span<const double> temperature,
+              std::span<double> electric);
   /// Fills `heat()` from values that are a solution at these contacts already: a solver that ran again could
   /// change their last digits.
-  void restore(const Placement& placement, const Electrodes& electrodes, std::span<double> electric);
+  void restore(const Placement& placement, const Electrodes& electrodes, std::span<const double> temperature,
+               std::span<double> electric);
 
   /// Joule heat of each particle [W].
   [[nodiscard]] std::span<const double> heat() const noexcept { return heat_; }
-  /// Particles that a path of contacts joins to an electrified wall.
+  /// Particles that a path of contacts joins to an electrified wall: whether each of them is, and how many.
+  [[nodiscard]] std::span<const char> carrying() const noexcept { return carrying_; }
   [[nodiscard]] std::size_t connected() const noexcept { return connected_; }
+  /// The same at any placement, without solving for anything.
+  [[nodiscard]] std::vector<char> reachable(const Placement& placement, const Electrodes& electrodes) const;
 
  private:
   enum class Values : char { solve, given };
-  void evaluate(const Placement& placement, const Electrodes& electrodes, std::span<double> electric,
-                Values values);
-  void averaging(const Placement& placement, const Electrodes& electrodes, std::span<double> electric,
-                 Values values);
-  void potential(const Placement& placement, const Electrodes& electrodes, std::span<double> electric,
-                 Values values);
+  void evaluate(const Placement& placement, const Electrodes& electrodes, std::span<const double> temperature,
+                std::span<double> electric, Values values);
+  void averaging(const Placement& placement, const Electrodes& electrodes,
+                 std::span<const double> temperature, std::span<double> electric, Values values);
+  void potential(const Placement& placement, const Electrodes& electrodes,
+                 std::span<const double> temperature, std::span<double> electric, Values values);
   void solve(std::span<double> x, Values values);
 
+  [[nodiscard]] double conductivity(std::size_t i, double temperature, double field) const;
+  void find_branches(const Placement& placement, const Electrodes& electrodes, std::size_t n,
+                     std::span<const double> temperature);
+
   ElectricLaw law_;
+  const Particles& particles_;
   std::vector<double> volume_;  // of each particle [m3]
   WeightedLaplacian laplacian_;
   std::vector<WeightedEdge> edges_;
-  std::vector<char> fixed_;
-  std::vector<double> depth_, values_, heat_;
+  std::vector<char> fixed_, carrying_;
+  std::vector<double> depth_, values_, before_, heat_;
   std::size_t connected_ = 0;
 };
 

@@ -29,18 +29,20 @@ Vec3 force_through(const ContactLaw& law, Vec3 normal, Vec3 relative, double pus
   return force;
 }
 
+}  // namespace
+
 double damping_of(const ContactLaw& law, double push, double strain, double length, double mass) noexcept {
-  if (!(law.damping > 0)) return 0;
+  if (!(law.damping > 0) || !(push > 0)) return 0;
   return normal_damping(law.damping, mass, contact_slope(push, law.exponent, -strain, length));
 }
 
-double wall_push(const Model& model, const WallContact& contact, double particle_temperature) noexcept {
+double wall_push(const Model& model, const Particles& particles, const WallContact& contact,
+                 double particle_temperature) noexcept {
   const double wall_temperature = model.thermal.wall_temperature[at(contact.wall)];
-  return contact_force(model.wall, contact.strain, contact.area,
+  return value_of(particles.hardness, at(contact.particle), 1) *
+         contact_force(model.wall, contact.strain, contact.area,
                        0.5 * (particle_temperature + wall_temperature));
 }
-
-}  // namespace
 
 double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
                   std::span<const WallContact> walls, double upper_wall_velocity,
@@ -57,7 +59,7 @@ double sum_forces(const Model& model, const Particles& particles, const ContactP
     const std::size_t i = at(contact.particle);
     const Vec3 normal = outward(contact.wall);
     const Vec3 relative = Vec3{0, 0, contact.wall == upper ? upper_wall_velocity : 0.0} - velocity[i];
-    const double push = wall_push(model, contact, temperature[i]);
+    const double push = wall_push(model, particles, contact, temperature[i]);
     const double damping =
         damping_of(model.wall, push, contact.strain, particles.radius[i], particles.mass[i]);
     force[i] = force[i] + force_through(model.wall, normal, relative, push, damping);
@@ -81,8 +83,9 @@ double explicit_step_limit(const Model& model, const Particles& particles, const
   };
   for (std::size_t k = 0; k < table.size(); ++k) {
     if (!(table.strain[k] < 0)) continue;
-    const double push = contact_force(model.contact, table.strain[k], table.area[k],
-                                      0.5 * (temperature[at(table.i[k])] + temperature[at(table.j[k])]));
+    const double push =
+        table.hardness[k] * contact_force(model.contact, table.strain[k], table.area[k],
+                                          0.5 * (temperature[at(table.i[k])] + temperature[at(table.j[k])]));
     add(k, contact_slope(push, model.contact.exponent, -table.strain[k], table.radius_sum[k]),
         damping_of(model.contact, push, table.strain[k], table.radius_sum[k], table.reduced_mass[k]) +
             model.contact.friction * push / model.contact.friction_speed);
@@ -92,7 +95,7 @@ double explicit_step_limit(const Model& model, const Particles& particles, const
     add(bonds.pair[b], bonds.slope[b], table.damping[bonds.pair[b]]);
   for (const auto& contact : walls) {
     const std::size_t i = at(contact.particle);
-    const double push = wall_push(model, contact, temperature[i]);
+    const double push = wall_push(model, particles, contact, temperature[i]);
     stiffness[i] += contact_slope(push, model.wall.exponent, -contact.strain, particles.radius[i]);
     damping[i] += damping_of(model.wall, push, contact.strain, particles.radius[i], particles.mass[i]) +
                   model.wall.friction * push / model.wall.friction_speed;

@@ -18,6 +18,15 @@ struct Placement {
   double upper_wall_velocity = 0;  ///< m/s, along z
 };
 
+/// Damping coefficient of a contact that pushes with `push` [N] at this strain < 0 [kg/s].
+///   length [m] that the strain refers to;  mass [kg], reduced
+[[nodiscard]] double damping_of(const ContactLaw& law, double push, double strain, double length,
+                                double mass) noexcept;
+
+/// Repulsion of a wall without its damping [N], at this temperature of the particle [K].
+[[nodiscard]] double wall_push(const Model& model, const Particles& particles, const WallContact& contact,
+                               double temperature) noexcept;
+
 /// Sum of the forces on each particle [N] (Zohdi 2014, eq. 21): weight, drag, contacts, bonds, walls. Returns
 /// the normal force on the upper wall [N].
 double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,

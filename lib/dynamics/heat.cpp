@@ -6,31 +6,33 @@
 #include "core/parallel.hpp"
 
 namespace superstep::dynamics {
-namespace {
 
 // The centre never gets as far as the wall in an accepted step; the bound keeps trial positions finite.
-double wall_conductance(const ThermalLaw& law, const WallContact& contact, double radius) noexcept {
+double wall_conductance(const ThermalLaw& law, const Particles& particles,
+                        const WallContact& contact) noexcept {
   constexpr double nearest = 1e-3;  // of the radius
-  return law.conductivity * contact.area / std::max(contact.distance, nearest * radius);
+  const std::size_t i = at(contact.particle);
+  return value_of(particles.conductivity, i, law.conductivity) * contact.area /
+         std::max(contact.distance, nearest * particles.radius[i]);
 }
-
-}  // namespace
 
 void heat_rates(const ThermalLaw& law, const Particles& particles, const ContactPoints& contacts,
                 std::span<const WallContact> walls, Held held, std::span<const double> joule,
                 std::span<const double> temperature, std::span<double> rate) {
   std::copy(joule.begin(), joule.end(), rate.begin());
   const ContactTable& table = contacts.table();
+  const bool conducts = law.conductivity > 0 || !particles.conductivity.empty();
   const auto flow_into_i = [&](std::size_t k) {
-    return law.conductivity * table.flow[k] * (temperature[at(table.j[k])] - temperature[at(table.i[k])]);
+    return table.conductivity[k] * table.flow[k] *
+           (temperature[at(table.j[k])] - temperature[at(table.i[k])]);
   };
-  if (law.conductivity > 0 && threads_for(table.size() / 4) == 1) {
+  if (conducts && threads_for(table.size() / 4) == 1) {
     for (std::size_t k = 0; k < table.size(); ++k) {
       const double flow = flow_into_i(k);
       rate[at(table.i[k])] += flow;
       rate[at(table.j[k])] -= flow;
     }
-  } else if (law.conductivity > 0) {
+  } else if (conducts) {
     const Incidence& pairs_of = contacts.incidence();
     for_ranges(rate.size(), table.size() / 4, [&](std::size_t first, std::size_t last) {
       for (std::size_t p = first; p < last; ++p)
@@ -40,14 +42,14 @@ void heat_rates(const ThermalLaw& law, const Particles& particles, const Contact
         }
     });
   }
-  if (law.conductivity > 0 && law.walls_conduct)
+  if (conducts && law.walls_conduct)
     for (const auto& contact : walls) {
       const std::size_t i = at(contact.particle);
-      rate[i] += wall_conductance(law, contact, particles.radius[i]) *
+      rate[i] += wall_conductance(law, particles, contact) *
                  (law.wall_temperature[at(contact.wall)] - temperature[i]);
     }
   for_each_entry(rate.size(), [&](std::size_t i) {
-    rate[i] = held[i] >= 0 ? 0.0 : rate[i] / (particles.mass[i] * law.specific_heat);
+    rate[i] = held[i] >= 0 ? 0.0 : rate[i] / heat_capacity(law, particles, i);
   });
 }
 
@@ -60,7 +62,7 @@ Network thermal_network(const ThermalLaw& law, const Particles& particles, const
     if (held[i] >= 0) continue;
     network.row_of_node[i] = static_cast<std::int32_t>(network.node_of_row.size());
     network.node_of_row.push_back(static_cast<std::int32_t>(i));
-    network.capacity.push_back(particles.mass[i] * law.specific_heat);
+    network.capacity.push_back(heat_capacity(law, particles, i));
     network.source.push_back(joule[i]);
   }
   network.ghost_value.assign(law.wall_temperature.begin(), law.wall_temperature.end());
@@ -72,7 +74,7 @@ Network thermal_network(const ThermalLaw& law, const Particles& particles, const
   // in order while j runs, those above while i runs.
   network.row_begin.assign(rows + 1, 0);
   for (const auto& contact : placement.contacts) {
-    if (!conducts(pair_conductance(law, contact))) continue;
+    if (!conducts(pair_conductance(contact))) continue;
     const auto a = row_of[at(contact.i)], b = row_of[at(contact.j)];
     if (a < 0 || b < 0) continue;
     ++network.row_begin[at(a) + 1];
@@ -92,7 +94,7 @@ Network thermal_network(const ThermalLaw& law, const Particles& particles, const
     network.ghost_edges.push_back({row, wall, conductance});
   };
   for (const auto& contact : placement.contacts) {  // below the diagonal, and ghosts
-    const double conductance = pair_conductance(law, contact);
+    const double conductance = pair_conductance(contact);
     if (!conducts(conductance)) continue;
     const auto a = row_of[at(contact.i)], b = row_of[at(contact.j)];
     if (a >= 0 && b >= 0)
@@ -103,14 +105,14 @@ Network thermal_network(const ThermalLaw& law, const Particles& particles, const
       to_wall(b, held[at(contact.i)], conductance);
   }
   for (const auto& contact : placement.contacts) {  // above the diagonal
-    const double conductance = pair_conductance(law, contact);
+    const double conductance = pair_conductance(contact);
     const auto a = row_of[at(contact.i)], b = row_of[at(contact.j)];
     if (a >= 0 && b >= 0 && conducts(conductance)) put(a, b, conductance);
   }
   if (law.walls_conduct)
     for (const auto& contact : placement.walls) {
       const std::size_t i = at(contact.particle);
-      const double conductance = wall_conductance(law, contact, particles.radius[i]);
+      const double conductance = wall_conductance(law, particles, contact);
       if (row_of[i] >= 0 && conducts(conductance)) to_wall(row_of[i], contact.wall, conductance);
     }
   std::stable_sort(network.ghost_edges.begin(), network.ghost_edges.end(),

@@ -13,8 +13,18 @@ namespace superstep::dynamics {
 using Held = std::span<const std::int32_t>;
 
 /// kappa A_ij/|x_i - x_j| of two particles [W/K].
-[[nodiscard]] inline double pair_conductance(const ThermalLaw& law, const ContactPoint& contact) noexcept {
-  return law.conductivity * contact.area / contact.distance;
+[[nodiscard]] inline double pair_conductance(const ContactPoint& contact) noexcept {
+  return contact.conductivity * contact.area / contact.distance;
+}
+
+/// kappa A/distance of a particle and a wall [W/K].
+[[nodiscard]] double wall_conductance(const ThermalLaw& law, const Particles& particles,
+                                      const WallContact& contact) noexcept;
+
+/// m C of particle i [J/K].
+[[nodiscard]] inline double heat_capacity(const ThermalLaw& law, const Particles& particles,
+                                          std::size_t i) noexcept {
+  return particles.mass[i] * value_of(particles.specific_heat, i, law.specific_heat);
 }
 
 /// Temperature rates [K/s]: (sum_j kappa A_ij/|x_i - x_j| (T_j - T_i) + the same to walls + H_i)/(m_i C); 0

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "dynamics/laws/bond_law.hpp"
 #include "dynamics/laws/contact_law.hpp"
 #include "dynamics/laws/drag.hpp"
+#include "dynamics/laws/saturation.hpp"
 #include "dynamics/laws/schedule.hpp"
 #include "dynamics/walls.hpp"
 
@@ -35,6 +37,7 @@ struct ElectricLaw {
   CurrentModel model = CurrentModel::none;
   CurrentSolver solver = CurrentSolver::conjugate;
   double conductivity = 1;       ///< sigma [S/m], > 0
+  Saturation saturation;         ///< of the conductivity
   double absorption = 1;         ///< a, 0 to 1
   double tolerance = 1e-10;      ///< of iterative solvers, relative
   bool hold_temperature = true;  ///< what touches an electrified wall takes its temperature
@@ -49,7 +52,13 @@ struct Model {
   double gravity = 9.81;  ///< m/s2, along -z
   ThermalLaw thermal;
   ElectricLaw electric;
-  double skin = 0;  ///< of the neighbour list [m], > 0
+  double skin = 0;                          ///< of the neighbour list [m], > 0
+  std::vector<std::string> material_names;  ///< empty = one material without a name
 };
+
+/// Whether what touches an electrified wall takes its temperature.
+[[nodiscard]] inline bool holds_temperatures(const Model& model) noexcept {
+  return model.electric.model != CurrentModel::none && model.electric.hold_temperature;
+}
 
 }  // namespace superstep::dynamics

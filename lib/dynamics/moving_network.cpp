@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/index.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 
@@ -29,7 +30,7 @@ Electrodes electrodes_of(const Phase& phase) {
 MovingNetwork::MovingNetwork(const Model& model, const Particles& particles)
     : model_(model),
       particles_(particles),
-      contacts_(model.bond, model.skin, particles),
+      contacts_(model.bond, model.skin, particles, model.thermal.conductivity),
       current_(model.electric, particles),
       held_(particles.size(), -1),
       depth_(particles.size(), 0.0) {}
@@ -69,15 +70,14 @@ void MovingNetwork::rates(std::span<const double> temperature, std::span<double>
 void MovingNetwork::touch_walls(State& state, const Phase& phase) {
   std::fill(held_.begin(), held_.end(), -1);
   const Electrodes electrodes = electrodes_of(phase);
-  if (model_.electric.model == CurrentModel::none || !model_.electric.hold_temperature || !electrodes.any())
-    return;
+  if (!holds_temperatures(model_) || !electrodes.any()) return;
   std::fill(depth_.begin(), depth_.end(), 0.0);
   for (const auto& contact : wall_contacts_) {
     const auto i = static_cast<std::size_t>(contact.particle);
     if (!electrodes.of(contact.wall) || !(-contact.strain > depth_[i])) continue;
     depth_[i] = -contact.strain;
     held_[i] = contact.wall;
-    state.temperature[i] = model_.thermal.wall_temperature[static_cast<std::size_t>(contact.wall)];
+    state.temperature[i] = model_.thermal.wall_temperature[at(contact.wall)];
   }
 }
 
@@ -97,16 +97,20 @@ void MovingNetwork::settle(State& state, const Phase& phase) {
     contacts_.begin_step();
   }
   const PartTimer timer(times.current);
-  current_.update(placement(), electrodes_of(phase), state.electric);
+  current_.update(placement(), electrodes_of(phase), state.temperature, state.electric);
+}
+
+void MovingNetwork::refresh(State& state, const Phase& phase) {
+  act_bonds(state.temperature, {});
+  contacts_.begin_step();
+  current_.restore(placement(), electrodes_of(phase), state.temperature, state.electric);
 }
 
 void MovingNetwork::resume(State& state, const Phase& phase) {
   contacts_.set_bonds(state.bonds);
   place(state.position, state.temperature, phase, state.time);
   touch_walls(state, phase);
-  act_bonds(state.temperature, {});
-  contacts_.begin_step();
-  current_.restore(placement(), electrodes_of(phase), state.electric);
+  refresh(state, phase);
 }
 
 Network MovingNetwork::frozen_network() const {

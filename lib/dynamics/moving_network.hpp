@@ -39,6 +39,9 @@ class MovingNetwork {
   /// What happens once per accepted step, at the instant last placed: bonds form and break, particles that
   /// touch an electrified wall take its temperature, the current is solved anew.
   void settle(State& state, const Phase& phase);
+  /// After `settle`, when temperatures were corrected: bonds, their rates and the heat of the currents
+  /// follow.
+  void refresh(State& state, const Phase& phase);
   /// The same from a stored state, whose bonds and currents stand.
   void resume(State& state, const Phase& phase);
 

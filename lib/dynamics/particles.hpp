@@ -13,9 +13,20 @@ struct Particles {
   std::vector<std::int64_t> id;  ///< [n] the user's ids, unique
   std::vector<double> radius;    ///< [n] m, > 0
   std::vector<double> mass;      ///< [n] kg, > 0
+  // Of particles that differ in their material; empty = all have what the model says.
+  std::vector<std::int32_t> material;         ///< [n] number of its material
+  std::vector<double> specific_heat;          ///< [n] J/(kg K), > 0
+  std::vector<double> conductivity;           ///< [n] of heat [W/(m K)], >= 0
+  std::vector<double> electric_conductivity;  ///< [n] S/m, > 0
+  std::vector<double> hardness;               ///< [n] contact stiffness over that of the model, > 0
 
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
 };
+
+/// The number of particle i, or that of the model where all are alike.
+[[nodiscard]] inline double value_of(const std::vector<double>& own, std::size_t i, double common) noexcept {
+  return own.empty() ? common : own[i];
+}
 
 /// A bonded pair i < j and what its bond remembers.
 struct Bond {

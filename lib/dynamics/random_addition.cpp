@@ -30,21 +30,26 @@ class Bins {
     members_.resize(count_[0] * count_[1] * count_[2]);
   }
 
-  [[nodiscard]] bool free(Vec3 centre, double diameter) const {
+  [[nodiscard]] bool free(Vec3 centre, double radius) const {
     const auto cell = cell_of(centre);
     for (std::size_t z = below(cell[2]); z <= above(cell[2], 2); ++z)
       for (std::size_t y = below(cell[1]); y <= above(cell[1], 1); ++y)
         for (std::size_t x = below(cell[0]); x <= above(cell[0], 0); ++x)
-          for (const Vec3& other : members_[index({x, y, z})]) {
-            const Vec3 between = other - centre;
-            if (dot(between, between) < diameter * diameter) return false;
+          for (const auto& other : members_[index({x, y, z})]) {
+            const Vec3 between = other.centre - centre;
+            const double sum = other.radius + radius;
+            if (dot(between, between) < sum * sum) return false;
           }
     return true;
   }
 
-  void add(Vec3 centre) { members_[index(cell_of(centre))].push_back(centre); }
+  void add(Vec3 centre, double radius) { members_[index(cell_of(centre))].push_back({centre, radius}); }
 
  private:
+  struct Sphere {
+    Vec3 centre;
+    double radius;
+  };
   using Cell = std::array<std::size_t, 3>;
   [[nodiscard]] Cell cell_of(Vec3 point) const {
     const Vec3 from = point - origin_;
@@ -65,36 +70,42 @@ class Bins {
   Vec3 origin_;
   Cell count_{};
   std::array<double, 3> width_{};
-  std::vector<std::vector<Vec3>> members_;
+  std::vector<std::vector<Sphere>> members_;
 };
 
 }  // namespace
 
 std::vector<Vec3> random_addition(const Box& box, std::size_t count, double radius, std::uint64_t seed) {
-  const Vec3 low = box.min + radius * Vec3{1, 1, 1}, high = box.max - radius * Vec3{1, 1, 1};
-  if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z))
-    throw NumericalError(
-        fmt::format("a sphere of radius {} m does not fit into the box; take a smaller radius", radius));
+  return random_addition(box, std::vector<double>(count, radius), seed);
+}
+
+std::vector<Vec3> random_addition(const Box& box, const std::vector<double>& radii, std::uint64_t seed) {
+  if (radii.empty()) return {};
+  const double largest = *std::max_element(radii.begin(), radii.end());
   Random random(seed);
-  Bins bins(box, radius);
+  Bins bins(box, largest);
   std::vector<Vec3> centres;
-  while (centres.size() < count) {
+  for (const double radius : radii) {
+    const Vec3 low = box.min + radius * Vec3{1, 1, 1}, high = box.max - radius * Vec3{1, 1, 1};
+    if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z))
+      throw NumericalError(
+          fmt::format("a sphere of radius {} m does not fit into the box; take a smaller radius", radius));
     int attempts = 0;
     Vec3 centre;
     do {
       if (++attempts > most_attempts) {
         const Vec3 size = box.max - box.min;
-        const double fraction = static_cast<double>(count) * 4 / 3 * std::numbers::pi * radius * radius *
-                                radius / (size.x * size.y * size.z);
+        double volume = 0;
+        for (const double r : radii) volume += 4 * std::numbers::pi / 3 * r * r * r;
         throw NumericalError(
             fmt::format("random sequential addition placed {} of {} spheres and found no room for the next "
                         "in {} attempts; the count asks for a volume fraction of {:.3f}, and the method jams "
                         "at 0.38: take fewer or smaller spheres, or a larger box",
-                        centres.size(), count, most_attempts, fraction));
+                        centres.size(), radii.size(), most_attempts, volume / (size.x * size.y * size.z)));
       }
       centre = {random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
-    } while (!bins.free(centre, 2 * radius));
-    bins.add(centre);
+    } while (!bins.free(centre, radius));
+    bins.add(centre, radius);
     centres.push_back(centre);
   }
   return centres;

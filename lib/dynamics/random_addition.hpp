@@ -16,4 +16,8 @@ namespace superstep::dynamics {
 [[nodiscard]] std::vector<Vec3> random_addition(const Box& box, std::size_t count, double radius,
                                                 std::uint64_t seed);
 
+/// The same for spheres of these radii [m], placed in this order: largest first finds room longest.
+[[nodiscard]] std::vector<Vec3> random_addition(const Box& box, const std::vector<double>& radii,
+                                                std::uint64_t seed);
+
 }  // namespace superstep::dynamics

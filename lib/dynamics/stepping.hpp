@@ -27,6 +27,12 @@ struct SteppingSettings {
     plain,      ///< semi-implicit Euler, one force evaluation a step, at a part of its stability limit
   };
   Scheme scheme = Scheme::staggered;
+  enum class Control : char {
+    steady,  ///< aims at half of the wanted iterations, so that hardly a step is made again; jumps are
+             ///< located
+    paper,   ///< aims at all of them (Zohdi 2014, Algorithm 1); whatever jumps does so at the end of a step
+  };
+  Control control = Control::steady;
   double phi = 0.5;                     ///< 0 to 1; 0.5 is second order
   int iterations = 10;                  ///< K_d, wanted iterations of a step, >= 2
   double tolerance_position = 5e-4;     ///< TOL_r

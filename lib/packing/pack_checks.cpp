@@ -15,8 +15,11 @@ void require(bool holds, std::string_view what, double value, std::string_view r
   if (!holds) throw UsageError(fmt::format("packing: {} is {}; {}", what, value, rule));
 }
 
+/// Far beyond anything that is packed; volumes and their sums are numbers in between.
 void require_length(double value, std::string_view what) {
-  require(std::isfinite(value) && value > 0, what, value, "it must be a finite length > 0 in metres");
+  constexpr double smallest = 1e-15, largest = 1e9;  // m
+  require(value >= smallest && value <= largest, what, value,
+          "it must be a length > 0 in metres, from 1e-15 to 1e9 m");
 }
 
 void check_container(const Container& container) {
@@ -42,8 +45,9 @@ void check_list(const SizeDistribution& sizes) {
         fmt::format("packing: {} weights for {} diameters; give one weight per diameter, or none",
                     sizes.weights.size(), sizes.diameters.size()));
   for (const double diameter : sizes.diameters) require_length(diameter, "a listed diameter");
+  constexpr double lightest = 1e-40, heaviest = 1e40;  // their sum is a number
   for (const double weight : sizes.weights)
-    require(std::isfinite(weight) && weight > 0, "a weight", weight, "weights are number fractions > 0");
+    require(weight >= lightest && weight <= heaviest, "a weight", weight, "weights are number fractions > 0");
 }
 
 /// Returns the largest diameter.
@@ -58,8 +62,11 @@ double check_sizes(const SizeDistribution& sizes, bool fit_median) {
   require(lognormal ? sizes.max > sizes.min : sizes.max >= sizes.min, "largest diameter", sizes.max,
           fmt::format("it must exceed the smallest, {} m", sizes.min));
   if (!lognormal) return sizes.max;
-  require(std::isfinite(sizes.sigma) && sizes.sigma > 0, "sigma", sizes.sigma,
-          "the standard deviation of ln(diameter) must be > 0; for equal spheres use a uniform distribution");
+  constexpr double narrow = 1e-3,
+                   wide = 10;  // below, all spheres are equal; above, the cut-offs are all there is
+  require(sizes.sigma >= narrow && sizes.sigma <= wide, "sigma", sizes.sigma,
+          "the standard deviation of ln(diameter) must be > 0, from 1e-3 to 10; for equal spheres use a "
+          "uniform distribution");
   if (!fit_median)
     require(
         sizes.median >= sizes.min && sizes.median <= sizes.max, "median diameter", sizes.median,

@@ -42,7 +42,7 @@ std::string format_names() {
   }
   throw InputError(
       fmt::format("{}:{}: line {} begins none of the known formats: {}; write the packing as one of these",
-                  file.path, lines.number(), quoted(lines.line()), format_names()));
+                  file.path, lines.number(), in_quotes(lines.line()), format_names()));
 }
 
 const PackingFormat& choose_format(const PackingFile& file) {
@@ -88,7 +88,7 @@ double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_
     const auto metres = unit_style_length(file.options.units);
     if (!metres)
       throw InputError(fmt::format("{}: units is {}; it must be auto or a unit style{}", place,
-                                   quoted(file.options.units),
+                                   in_quotes(file.options.units),
                                    suggestion(file.options.units, unit_styles())));
     take(StatedUnit{*metres, fmt::format("units {}", file.options.units)});
   }

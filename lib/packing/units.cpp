@@ -36,7 +36,8 @@ std::optional<double> look_up(const Table& table, const std::string& name) {
 
 double length_unit(const std::string& name, const std::string& where) {
   if (const auto metres = look_up(lengths, name)) return *metres;
-  throw InputError(fmt::format("{}: length unit is {}; valid are: m, cm, mm, um, nm", where, quoted(name)));
+  throw InputError(
+      fmt::format("{}: length unit is {}; valid are: m, cm, mm, um, nm", where, in_quotes(name)));
 }
 
 std::optional<double> length_unit_of_column(const std::string& name) {

@@ -28,7 +28,7 @@ struct MotionPhase {
   double mean_temperature = 0, max_temperature = 0;  ///< K
   double wall_force = 0;                             ///< N
   double largest_wall_force = 0;                     ///< during the phase [N]
-  double bonds = 0, contacts = 0;
+  std::uint64_t bonds = 0, contacts = 0;
 };
 
 /// The rear half of the particles at one instant, seen from the front (from -y).

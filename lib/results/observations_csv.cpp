@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "core/text/text_file.hpp"
 #include "results/text/csv_table.hpp"
 #include "results/text/csv_text.hpp"
 
@@ -31,11 +31,6 @@ void append_frame(Buffer& out, const std::string& case_name, const Slice& slice,
     append(out, "{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.7g}\n", head, s.id, s.across, s.height, s.depth,
            s.radius, frame.value[k]);
   }
-}
-
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
 }
 
 void read_histories(const std::string& path, std::map<std::string, CaseObservations>& out) {
@@ -74,9 +69,7 @@ void read_snapshots(const std::string& path, std::map<std::string, CaseObservati
              depth = table.column("depth"), radius = table.column("radius"), value = table.column("value");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     auto& slot = out[table.text(row, name)].slice;
-    if (!slot)
-      slot = Slice{.source = table.text(row, source),
-                   .cut = static_cast<std::size_t>(std::max(0.0, table.required(row, cut)))};
+    if (!slot) slot = Slice{.source = table.text(row, source), .cut = table.count(row, cut).value_or(0)};
     Slice& slice = *slot;
     const double t = table.required(row, time);
     const std::string field_name = table.text(row, field);
@@ -84,7 +77,7 @@ void read_snapshots(const std::string& path, std::map<std::string, CaseObservati
       slice.frames.push_back({.field = field_name, .unit = table.text(row, unit), .time = t});
     slice.frames.back().value.push_back(table.required(row, value));
     if (slice.frames.size() > 1) continue;
-    slice.spheres.push_back({.id = static_cast<std::int64_t>(table.required(row, id)),
+    slice.spheres.push_back({.id = table.whole(row, id),
                              .across = table.required(row, across),
                              .height = table.required(row, height),
                              .depth = table.required(row, depth),
@@ -118,8 +111,8 @@ std::string snapshots_csv(std::span<const BenchCase> cases) {
 
 std::map<std::string, CaseObservations> read_observations(const std::string& folder) {
   std::map<std::string, CaseObservations> out;
-  if (exists(folder + "/histories.csv")) read_histories(folder + "/histories.csv", out);
-  if (exists(folder + "/snapshots.csv")) read_snapshots(folder + "/snapshots.csv", out);
+  if (is_regular_file(folder + "/histories.csv")) read_histories(folder + "/histories.csv", out);
+  if (is_regular_file(folder + "/snapshots.csv")) read_snapshots(folder + "/snapshots.csv", out);
   return out;
 }
 

@@ -31,6 +31,9 @@ class History {
   [[nodiscard]] double at(std::size_t row, const char* name) const {
     return table_.required(row, table_.column(name));
   }
+  [[nodiscard]] std::uint64_t count_at(std::size_t row, const char* name) const {
+    return table_.count(row, table_.column(name)).value_or(0);
+  }
   [[nodiscard]] std::string phase(std::size_t row) const { return table_.text(row, table_.column("phase")); }
 
   [[nodiscard]] std::vector<double> column(const char* name, const std::vector<std::size_t>& kept) const {
@@ -72,8 +75,8 @@ std::vector<MotionPhase> phases_of(const History& all) {
     phase.max_temperature = all.at(row, "max_temperature");
     phase.wall_force = all.at(row, "wall_force");
     phase.largest_wall_force = std::max(phase.largest_wall_force, phase.wall_force);
-    phase.bonds = all.at(row, "bonds");
-    phase.contacts = all.at(row, "contacts");
+    phase.bonds = all.count_at(row, "bonds");
+    phase.contacts = all.count_at(row, "contacts");
   }
   return phases;
 }
@@ -95,9 +98,8 @@ MotionFrame read_frame(const std::string& path, double time, double upper_wall, 
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double depth = table.required(row, y) - plane;
     if (depth < 0) continue;
-    frame.spheres.push_back({static_cast<std::int64_t>(table.required(row, id)), table.required(row, x),
-                             table.required(row, z), depth, table.required(row, r),
-                             table.required(row, temperature)});
+    frame.spheres.push_back({table.whole(row, id), table.required(row, x), table.required(row, z), depth,
+                             table.required(row, r), table.required(row, temperature)});
   }
   frame.behind = frame.spheres.size();
   std::stable_sort(frame.spheres.begin(), frame.spheres.end(),
@@ -173,17 +175,12 @@ void read_frames(const std::string& folder, const JsonObject& motion, MotionInpu
   }
 }
 
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
-}
-
 }  // namespace
 
 std::optional<MotionInput> read_motion(const std::string& folder) {
   const std::string path = folder + "/run.json", history_path = folder + "/history.csv";
-  const Json json = Json::parse(read_text_file(path), nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("motion") || !exists(history_path)) return std::nullopt;
+  const Json json = parse_json_file(path);
+  if (!json.is_object() || !json.contains("motion") || !is_regular_file(history_path)) return std::nullopt;
   const History all(history_path);
   MotionInput motion;
   motion.history = thinned(all);

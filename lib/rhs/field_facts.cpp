@@ -72,6 +72,7 @@ void FieldOperator::find_facts() {
   }
   for (const double rate : largest_rate) facts_.source_rate = std::max(facts_.source_rate, rate);
   auto* among = network_.among();
+  if (among) facts_.nonzeros = among->sum(facts_.nonzeros);
   if (among) facts_.source_rate = among->max(facts_.source_rate);
   facts_.has_sources = facts_.source_rate > 0;
   const auto take = [&](double value, std::int32_t table) {

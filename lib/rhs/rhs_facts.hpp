@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -41,7 +42,8 @@ struct Breakpoint {
 
 /// Of one field.
 struct FieldFacts {
-  bool has_sources = false;  ///< Joule heat counts
+  bool has_sources = false;    ///< Joule heat counts
+  std::uint64_t nonzeros = 0;  ///< of the field's block of J off its diagonal, here and elsewhere
   /// Largest |rate| that sources alone can cause [K/s or V/s]: how fast the range may widen that the maximum
   /// principle allows; infinity when nothing bounds it beforehand.
   double source_rate = 0;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double wanted_ticks = 5;
 constexpr int most_decades = 7;  // with a label each
+constexpr double smallest = 1e-300,
+                 largest = 1e300;  // beyond, differences and round numbers are no numbers any more
 
 /// Labels of decades: all of them powers where there are many.
 std::string decade_text(int power, bool many) {
@@ -42,8 +44,13 @@ ChartScale::ChartScale(const ChartAxis& axis, double low, double high, double fi
 }
 
 void ChartScale::make_linear(const ChartAxis& axis) {
-  if (!(high_ > low_)) {
-    const double margin = low_ == 0 ? 1 : 0.1 * std::abs(low_);
+  // What moves by roundings alone is constant: between two such values there is no room for ticks.
+  constexpr double rounding = 1e-12;
+  low_ = std::clamp(low_, -largest, largest);
+  high_ = std::clamp(high_, -largest, largest);
+  const double size = std::max(std::abs(low_), std::abs(high_));
+  if (!(high_ - low_ > std::max(rounding * size, smallest))) {
+    const double margin = size > smallest ? 0.1 * size : 1;
     low_ -= margin;
     high_ += margin;
   }
@@ -57,7 +64,8 @@ void ChartScale::make_linear(const ChartAxis& axis) {
 }
 
 void ChartScale::make_logarithmic(const ChartAxis& axis) {
-  if (!(low_ > 0)) low_ = 1e-16;
+  low_ = low_ > 0 ? std::clamp(low_, smallest, largest) : 1e-16;
+  high_ = std::min(high_, largest);
   if (!(high_ > low_)) high_ = 10 * low_;
   const double decades = std::log10(high_) - std::log10(low_);
   if (decades < 1) {  // less than a decade: round numbers inside it

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/text/text_file.hpp"
 #include "results/read_motion.hpp"
 #include "results/results_json.hpp"
 #include "results/thinning.hpp"
@@ -20,11 +21,6 @@ struct KnownField {
   const char* unit;
 };
 constexpr KnownField known_fields[] = {{"potential", "V"}, {"temperature", "K"}};
-
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
 
 std::vector<ProbeCurve> read_probes(const std::string& path, const std::string& spec) {
   std::vector<ProbeCurve> curves;
@@ -68,8 +64,8 @@ std::optional<Slice> read_final(const std::string& path, const std::string& spec
       slice.frames.push_back({.field = field.name, .unit = field.unit, .time = time});
   for (const std::size_t k : randomly_thinned(cut.size(), most_spheres)) {
     const std::size_t row = cut[k];
-    slice.spheres.push_back({static_cast<std::int64_t>(table.required(row, id)), table.required(row, x),
-                             table.required(row, z), table.required(row, y) - plane, table.required(row, r)});
+    slice.spheres.push_back({table.whole(row, id), table.required(row, x), table.required(row, z),
+                             table.required(row, y) - plane, table.required(row, r)});
     for (auto& frame : slice.frames) frame.value.push_back(table.required(row, table.column(frame.field)));
   }
   return slice;
@@ -83,8 +79,8 @@ RunInput read_run(const std::string& folder, const std::string& name) {
                .motion = read_motion(folder)};
   const auto& record = run.record;
   const std::string spec = record.integrator + (record.params.empty() ? "" : ":" + record.params);
-  if (exists(folder + "/probes.csv")) run.curves = read_probes(folder + "/probes.csv", spec);
-  if (!run.motion && exists(folder + "/final.csv"))
+  if (is_regular_file(folder + "/probes.csv")) run.curves = read_probes(folder + "/probes.csv", spec);
+  if (!run.motion && is_regular_file(folder + "/final.csv"))
     run.slice = read_final(folder + "/final.csv", spec, record.t_end);
   return run;
 }
@@ -93,11 +89,12 @@ RunInput read_run(const std::string& folder, const std::string& name) {
 
 std::vector<RunInput> read_runs(const std::string& folder) {
   std::vector<RunInput> runs;
-  if (exists(folder + "/run.json")) runs.push_back(read_run(folder, "."));
+  if (is_regular_file(folder + "/run.json")) runs.push_back(read_run(folder, "."));
   std::vector<std::string> below;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (exists(entry.path().string() + "/run.json")) below.push_back(entry.path().filename().string());
+    if (is_regular_file(entry.path().string() + "/run.json"))
+      below.push_back(entry.path().filename().string());
   std::sort(below.begin(), below.end());
   for (const auto& name : below) runs.push_back(read_run(folder + "/" + name, name));
   return runs;

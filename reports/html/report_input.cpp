@@ -21,13 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
 std::optional<Json> read_json(const std::string& path, const std::string& schema, int newest = 1) {
-  if (!exists(path)) return std::nullopt;
+  if (!is_regular_file(path)) return std::nullopt;
   return parse_results(path, schema, newest);
 }
 
@@ -49,7 +44,7 @@ void check_stability(const JsonObject& summary) {
 
 void read_benchmark(ReportInput& input) {
   const std::string path = input.folder + "/results.json";
-  if (!exists(path)) return;
+  if (!is_regular_file(path)) return;
   input.bench = read_results_json(path);
   auto observations = read_observations(input.folder);
   const std::string health_file = input.folder + "/health.json";
@@ -71,10 +66,10 @@ void read_benchmark(ReportInput& input) {
 // A sweep over several cases has a folder for each.
 std::vector<std::string> study_files(const std::string& folder) {
   std::vector<std::string> files;
-  if (exists(folder + "/work_precision.csv")) files.push_back(folder + "/work_precision.csv");
+  if (is_regular_file(folder + "/work_precision.csv")) files.push_back(folder + "/work_precision.csv");
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (const std::string file = entry.path().string() + "/work_precision.csv"; exists(file))
+    if (const std::string file = entry.path().string() + "/work_precision.csv"; is_regular_file(file))
       files.push_back(file);
   std::sort(files.begin(), files.end());
   return files;
@@ -114,7 +109,8 @@ void read_stability(ReportInput& input) {
   if (out.summary) require_version(*out.summary, file);
   if (out.summary) check_stability(JsonObject(file, *out.summary));
   for (const char* name : {"methods", "critical_step", "rounding", "sweeps", "states"})
-    if (const std::string table = fmt::format("{}/stability_{}.csv", input.folder, name); exists(table))
+    if (const std::string table = fmt::format("{}/stability_{}.csv", input.folder, name);
+        is_regular_file(table))
       out.tables.emplace(name, std::make_unique<CsvTable>(table));
   if (out.summary || !out.tables.empty()) input.stability = std::move(out);
 }
@@ -132,7 +128,7 @@ ReportInput read_report_input(const std::string& folder) {
   read_studies(input);
   read_stability(input);
   input.runs = read_runs(folder);
-  if (const std::string corpus = folder + "/corpus.csv"; exists(corpus))
+  if (const std::string corpus = folder + "/corpus.csv"; is_regular_file(corpus))
     input.corpus = read_corpus_csv(corpus);
   if (!input.bench && input.corpus.empty() && input.runs.empty() && input.other_studies.empty() &&
       !input.stability)

@@ -228,13 +228,12 @@ std::string state_table(const FrozenState& state, bool color) {
                    {"", "growth at predicted"},
                    {"", "", Align::left}});
   for (const auto& m : state.limits) {
-    const auto ratio = m.predicted ? std::optional(*m.predicted / m.measured) : std::nullopt;
     const bool differs = m.verdict == FrozenLimit::Verdict::differs;
     table.add_row({{m.family},
                    {m.parameters},
                    {number(m.predicted, "{:.5g}")},
                    {std::isfinite(m.measured) ? number(m.measured, "{:.5g}") : "none"},
-                   {number(ratio, "{:.4f}")},
+                   {m.predicted ? number(*m.predicted / m.measured, "{:.4f}") : ""},
                    {number(m.growth_at_predicted, "{:.6f}")},
                    {differs ? "DIFFERS" : verdict_name(m.verdict), differs ? Style::red : Style::plain}});
   }

@@ -52,11 +52,6 @@ void add_shift(const Row& before, const Row& after, const Truth& truth, ShiftTal
   tally.ratios.push_back(high == low ? 1 : high / low);
 }
 
-std::string percent(std::size_t part, std::size_t whole) {
-  return whole == 0 ? "-"
-                    : fmt::format("{:.1f} %", 100 * static_cast<double>(part) / static_cast<double>(whole));
-}
-
 }  // namespace
 
 std::optional<Truth> truth_or_reason(std::uint64_t seed, const StatedScene& stated, std::ostream& out) {

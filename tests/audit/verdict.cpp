@@ -38,10 +38,6 @@ double share(std::size_t part, std::size_t whole) {
                     : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::string percent(std::size_t part, std::size_t whole) {
-  return whole == 0 ? "-" : fmt::format("{:.1f} %", 100 * share(part, whole));
-}
-
 std::string number(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.2g}", value);
 }
@@ -74,6 +70,10 @@ void print_fixed(std::ostream& out, const std::vector<Tally>& tallies) {
 }
 
 }  // namespace
+
+std::string percent(std::size_t part, std::size_t whole) {
+  return whole == 0 ? "-" : fmt::format("{:.1f} %", 100 * share(part, whole));
+}
 
 std::vector<Tally> tally(const std::vector<Row>& rows, const std::string& kind) {
   std::vector<Tally> tallies;

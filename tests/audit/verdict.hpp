@@ -31,6 +31,9 @@ struct Tally {
 /// Value that a part of ascending numbers lies below; NaN of nothing.
 [[nodiscard]] double quantile(const std::vector<double>& ascending, double part);
 
+/// A part of a whole in per cent, as tables print it.
+[[nodiscard]] std::string percent(std::size_t part, std::size_t whole);
+
 /// Largest over smallest median of a method's longer runs over the tolerances; 1 of nothing.
 [[nodiscard]] double trend(const std::vector<Tally>& tallies, const std::string& label);
 

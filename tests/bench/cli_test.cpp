@@ -146,6 +146,8 @@ TEST_F(Program, NumbersOnTheCommandLineAreStrict) {
   expect_error("pack --height 1 --diameter 1 --sizes uniform:min=0.1,max=0.2 --seed -5 -o x.csv", 2,
                "--seed");
   expect_error("pack --height 1 --diameter 1 --sizes uniform:min=0.3,max=0.2 -o x.csv", 2, "min");
+  expect_error("pack --height 1 --diameter 1 --sizes uniform:0.3:0.2 -o x.csv", 2,
+               "--sizes 'uniform:0.3:0.2'");
   expect_error("pack --height 1 --diameter 1 --sizes unform:min=0.1,max=0.2 -o x.csv", 2,
                "did you mean 'uniform'");
   expect_error("pack --height 1 --sizes list:0.1,0.2 -o x.csv", 2, "--diameter");

@@ -33,6 +33,7 @@ std::vector<CorpusRow> rows_of(const CostConstants& constants) {
         scene.scene_class = physics;
         scene.physics = physics;
         scene.unknowns = static_cast<std::uint64_t>(unknowns);
+        scene.nonzeros = scene.unknowns * (unknowns == 1'000.0 ? 2 : 6);
         scene.stiffness = t_rho;
         scene.status = "ok";
         scene.reference_error = 1e-13;

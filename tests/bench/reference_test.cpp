@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
 #include "bench/app/loaded_case.hpp"
 #include "bench/harness/reference_cache.hpp"
+#include "core/hash.hpp"
 #include "integrators/registry.hpp"
 #include "support/temporary_case.hpp"
 
@@ -116,6 +119,22 @@ TEST_F(CachedReferenceTest, AForeignFileIsIgnoredAndRewritten) {
   const auto first = obtain();
   std::ofstream(cached_file(), std::ios::trunc) << "not ours";
   expect_recomputed(*first.reference);
+}
+
+TEST_F(CachedReferenceTest, AChecksumThatFitsIsNotEnough) {
+  const auto sealed = [&](double order) {
+    std::string body;
+    for (const std::vector<double>& values :
+         std::vector<std::vector<double>>{{0}, {0}, {}, {}, {}, {1}, {1.0}, {order}, {0.0, 0.0}}) {
+      const std::uint64_t size = values.size();
+      body.append(reinterpret_cast<const char*>(&size), sizeof size);
+      body.append(reinterpret_cast<const char*>(values.data()), size * sizeof(double));
+    }
+    return read_cached_reference(
+        folder_.write("made.reference", "SSREF002" + ContentHash().add(body).text() + body));
+  };
+  EXPECT_TRUE(sealed(1)) << "a line at one probe";
+  for (const double order : {-1.0, 101.0, 1e300, std::nan("")}) EXPECT_FALSE(sealed(order)) << order;
 }
 
 TEST_F(CachedReferenceTest, AnUnwritableCacheIsAWarning) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +9,11 @@
 #include "bench/app/commands.hpp"
 #include "bench/press/motion_schemes.hpp"
 #include "bench/press/thermal_lanes.hpp"
+#include "case/press/press.hpp"
+#include "case/scene.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
+#include "dynamics/moving_network.hpp"
 #include "support/small_press.hpp"
 #include "support/temporary_case.hpp"
 
@@ -43,7 +47,8 @@ TEST(RunSintering, WritesTheFilesOfTheContract) {
   const std::string history = folder.read("out/history.csv");
   EXPECT_TRUE(history.starts_with(
       "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,contacts,"
-      "step,iterations,rejections\n0,\"press, slowly\",0."))
+      "step,iterations,rejections,wall_work,potential_energy,elastic_energy,dissipated,joule_heat,heat_lost,"
+      "heat_content,landed\n0,\"press, slowly\",0."))
       << history.substr(0, 200);
   const std::string last = folder.read("out/final.csv");
   EXPECT_TRUE(last.starts_with("id,x,y,z,r,current,temperature,vx,vy,vz\n0,"));
@@ -131,6 +136,45 @@ TEST(RunSintering, OptionsOfMovingParticlesAreRefusedElsewhere) {
   command.case_file = write_rod(folder, test::Rod{});
   command.checkpoint = 1;
   EXPECT_THROW((void)execute(command), UsageError);
+  command.checkpoint.reset();
+  command.export_packing = folder.file("p.csv");
+  EXPECT_THROW((void)execute(command), UsageError);
+}
+
+TEST(RunSintering, WhatIsExportedIsTakenUpByAPressAndByANetwork) {
+  const CaseFolder folder;
+  RunCommand command = run_of(folder, "out");
+  command.export_packing = folder.file("pressed.csv");
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  // Going on from the packing starts where the run ended, to the last bit.
+  std::string text = folder.read("press.toml");
+  const std::size_t begin = text.find("[dynamics.particles]"), end = text.find("\n[", begin);
+  text.replace(begin, end - begin,
+               "[dynamics.particles]\nfile = \"pressed.csv\"\nmax_overlap = 0.5\n" +
+                   std::string(folder.has("pressed.bonds.csv") ? "bonds = \"pressed.bonds.csv\"\n" : ""));
+  const Press again = load_press(folder.write("again.toml", text));
+  dynamics::MovingNetwork network(again.model, again.particles);
+  dynamics::State state = again.state;
+  network.resume(state, again.model.schedule.phases().front());
+  const std::string last = folder.read("out/final.csv");
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < state.size(); ++k)
+    found += last.find(fmt::format("\n{},{},{},{},", again.particles.id[k], state.position[k].x,
+                                   state.position[k].y, state.position[k].z)) != std::string::npos
+                 ? 1
+                 : 0;
+  EXPECT_EQ(found, state.size());
+  // Each neck conducts in the network as in the press: kappa pi a^2/distance.
+  const std::string scene_text =
+      "t_end = 1.0\n[packing]\nfile = \"pressed.csv\"\n[contact]\nneck = \"given\"\n"
+      "file = \"pressed.necks.csv\"\nconductance = \"pipe\"\n[material]\ndensity = 2000.0\n"
+      "[thermal]\nconductivity = 100.0\nspecific_heat = 100.0\ninitial = { column = \"temperature\" }\n";
+  const Scene scene = load_scene(folder.write("network.toml", scene_text));
+  double in_press = 0, in_network = 0;
+  for (const auto& contact : network.contacts().points()) in_press += 100 * contact.area / contact.distance;
+  for (const double conductance : scene.fields.front().graph.conductance) in_network += conductance;
+  EXPECT_GT(in_press, 0);
+  EXPECT_NEAR(in_network, in_press, 1e-12 * in_press);
 }
 
 TEST(BenchSintering, LanesMeasureErrorAndWork) {

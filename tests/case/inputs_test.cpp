@@ -107,6 +107,9 @@ TEST_F(Inputs, BadProfilesSayWhatIsWrong) {
   expect_refused(with("{ file = \"p.csv\", period = 60, outside = \"zero\" }"), "no outside");
   expect_refused(with("{ file = \"p.csv\", times = [0], values = [1] }"), "either a file");
   expect_refused(with("{ times = [0, 1e-9], values = [0, 1], period = 1e-9 }"), "more than");
+  // Turns that no double counts: adding one to their number changes nothing.
+  expect_refused(with("{ times = [1e39], values = [1], period = 1e-300 }"), "it is nothing beside");
+  expect_refused(with("{ times = [-1e30], values = [1], period = 1.0 }"), "it is nothing beside");
   EXPECT_EQ(load(with("{ file = \"p.csv\" }")).fields[0].graph.tables[0].at(25), 1.5)
       << "two columns need no names";
 }

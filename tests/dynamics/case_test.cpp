@@ -41,7 +41,7 @@ TEST(SinteringCases, ExampleIsThePrintedOneWhereItSaysSo) {
   const Press one = load_press(case_path("sintering_example.toml"));
   EXPECT_EQ(one.particles.size(), 1000U);
   EXPECT_EQ(one.particles.radius.front(), 0.075);
-  EXPECT_EQ(one.t_end, 1.0);
+  EXPECT_EQ(one.stepping.largest_step, 0.005);
   EXPECT_EQ(one.model.contact.softening.temperature, 500);
   EXPECT_EQ(one.model.thermal.wall_temperature[upper], 1000);
   EXPECT_EQ(one.stepping.iterations, 10);
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SinteringCases, BondsThatPullWithoutBoundAreRefused) {
   const TemporaryFolder folder;
-  const std::string text = read_text_file(case_path("sintering_example.toml"));
+  const std::string text = read_text_file(case_path("sintering_printed_bond.toml"));
   const auto complaint = [&](const std::string& from, const std::string& to) {
     const auto path = folder.write("case.toml", replaced(text, from, to));
     return message_of<InputError>([&] { (void)load_press(path); });

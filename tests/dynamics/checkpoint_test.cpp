@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 
@@ -146,6 +147,28 @@ TEST(CheckpointFile, WhatCannotBeReadIsAnInputError) {
     EXPECT_NE(test::message_of<InputError>([&] { (void)read_checkpoint(path); }), "") << path.substr(0, 80);
 }
 
+TEST(CheckpointFile, AChecksumThatFitsIsNotEnough) {
+  const TemporaryFolder folder;
+  const BusyPress press;
+  const auto refuses = [&](auto spoil) {
+    Checkpoint stored{press.cloud.particles, press.cloud.state, 1e-3, {}, ""};
+    spoil(stored);
+    const std::string file = folder.write("spoilt.bin", checkpoint_image(stored));
+    return !test::message_of<InputError>([&] { (void)read_checkpoint(file); }).empty();
+  };
+  EXPECT_FALSE(refuses([](Checkpoint&) {}));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.velocity.pop_back(); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.temperature.clear(); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.electric.assign(3, 0.0); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.particles.mass.push_back(1); }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.position[0].y = NAN; }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.time = INFINITY; }));
+  EXPECT_TRUE(refuses([](Checkpoint& c) {
+    c.state.bonds.push_back({0, 80, 0.1, 0.0});
+  })) << "there are 80 particles";
+  EXPECT_TRUE(refuses([](Checkpoint& c) { c.state.bonds.push_back({-1, 2, 0.1, 0.0}); }));
+}
+
 TEST(CheckpointFile, RefusesWhatIsNotOne) {
   const TemporaryFolder folder;
   const BusyPress press;
@@ -155,6 +178,13 @@ TEST(CheckpointFile, RefusesWhatIsNotOne) {
   EXPECT_THROW((void)read_checkpoint(folder.write("text.bin", "id,x,y\n")), InputError);
   EXPECT_THROW((void)read_checkpoint(folder.write("short.bin", image.substr(0, image.size() / 2))),
                InputError);
+  std::string older = image;
+  const std::size_t digit = std::string("superstep checkpoint ").size();
+  older[digit] = '2';
+  const std::string message =
+      test::message_of<InputError>([&] { (void)read_checkpoint(folder.write("older.bin", older)); });
+  EXPECT_NE(message.find("is a checkpoint of version 2, and this program reads version"), std::string::npos)
+      << message;
   std::string flipped = image;
   flipped[image.size() / 2] = static_cast<char>(flipped[image.size() / 2] ^ 1);
   EXPECT_THROW((void)read_checkpoint(folder.write("flipped.bin", flipped)), InputError);

@@ -29,24 +29,25 @@ std::vector<End> phase_ends(const Press& one, Motion& motion) {
   return ends;
 }
 
+/// 250 particles in a quarter of the box: the same depth of the bed.
 TEST(Example, PoursPressesHeatsBondsAndSpringsBack) {
-  const Press one = load_press(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/sintering_example.toml");
+  const Press one = load_press(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/sintering_small.toml");
   Motion motion(one.model, one.particles, one.stepping);
   const auto ends = phase_ends(one, motion);
-  enum : std::size_t { fall, pour, press, hold, release };
-  ASSERT_EQ(ends.size(), 5U);
+  enum : std::size_t { pour, press, hold, release };
+  ASSERT_EQ(ends.size(), 4U);
   EXPECT_GT(ends[pour].fraction, 0.50);
   EXPECT_LT(ends[pour].fraction, 0.60);
   EXPECT_GT(ends[press].fraction, 0.97) << "near 1";
   EXPECT_LT(ends[press].fraction, 1.03);
-  EXPECT_LT(ends[release].fraction, 0.95 * ends[hold].fraction) << "springs back somewhat";
-  EXPECT_GT(ends[release].fraction, ends[pour].fraction) << "but stays denser than poured";
-  EXPECT_GT(ends[pour].temperature, ends[fall].temperature) << "heated from below";
-  EXPECT_GT(ends[press].temperature, ends[pour].temperature) << "then from both walls";
+  EXPECT_LT(ends[release].fraction, 0.99 * ends[hold].fraction) << "springs back somewhat";
+  EXPECT_LT(1 - ends[release].fraction, 0.85 * (1 - ends[pour].fraction))
+      << "but its porosity stays 15 % below that of the poured bed";
+  EXPECT_GT(ends[press].temperature, ends[pour].temperature) << "heated from both walls and by the current";
   EXPECT_GT(ends[hold].temperature, ends[press].temperature);
   EXPECT_LT(ends[release].temperature, ends[hold].temperature) << "the current is off";
   EXPECT_GT(ends[hold].bonds, ends[pour].bonds);
-  EXPECT_LT(motion.history().size(), 10'000U) << "the steps did not collapse";
+  EXPECT_LT(motion.history().size(), 20'000U) << "the steps did not collapse";
 }
 
 }  // namespace

@@ -3,47 +3,10 @@
 #include <fmt/format.h>
 
 #include "network/generators/network_generator.hpp"
+#include "whole_case_files.hpp"
 
 namespace superstep::test {
 namespace {
-
-/// 27 equal spheres of radius 1 mm, 1.9 mm apart; the middle layer has the ids 9 to 17.
-void write_lattice(const CaseFolder& folder) {
-  std::string plain = "id,x,y,z,radius\n", named = "id,x,y,z,radius,material\n", necks = "i,j,radius\n";
-  for (int id = 0; id < 27; ++id) {
-    const std::string row =
-        fmt::format("{},{},{},{},1", id, 1.9 * (id % 3), 1.9 * (id / 3 % 3), 1.9 * (id / 9));
-    plain += row + "\n";
-    named += fmt::format("{},{}\n", row, "abc"[id / 9]);
-    if (id >= 9) necks += fmt::format("{},{},0.3\n", id - 9, id);
-  }
-  folder.write("lattice.csv", plain);
-  folder.write("named.csv", named);
-  folder.write("necks.csv", necks);
-  std::string start = "id,temperature,potential\n";
-  for (int id = 0; id < 27; ++id) start += fmt::format("{},300.5,0.0\n", id);
-  folder.write("start.csv", start);
-  folder.write("bonds.csv", "i,j,radius\n0,1,0.2\n0,4,0.2\n");
-  folder.write("profile.csv", "t,P\n0,1\n0.5,2\n0.5,1\n2,1\n");
-}
-
-/// Four spheres in a row, as LAMMPS writes them.
-void write_grains(const CaseFolder& folder) {
-  std::string text = "title\n\n4 atoms\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms\n\n";
-  for (int id = 1; id <= 4; ++id) text += fmt::format("{} 1 4.5 4.5 {} 2.0 2500\n", id, 1.9 * id);
-  folder.write("grains.data", text);
-}
-
-void write_networks(const CaseFolder& folder) {
-  folder.write(
-      "K.mtx",
-      "%%MatrixMarket matrix coordinate real symmetric\n4 4 7\n1 1 1\n2 1 -1\n2 2 2.5\n3 2 -1\n3 3 2\n"
-      "4 3 -1\n4 4 1\n");
-  folder.write("start4.csv", "id,value\n1,0\n2,1\n3,2\n4,3\n");
-  folder.write("pores.csv",
-               "pore.coords[0],pore.left,pore.volume,throat.conns[0],throat.conns[1],throat.k\n"
-               "0,True,1,0,1,2\n1,False,2,1,2,3\n2,False,3,,,\n");
-}
 
 Tree head() {
   return Tree::parse(R"({ "title": "whole", "source": "a test", "t_end": 1.0, "output_times": [0.5, 1.0] })");
@@ -259,7 +222,8 @@ Tree press() {
   tree["t_end"] = 0.01;
   tree["output_times"] = {0.005, 0.01};
   tree["bench"] = Tree::parse(
-      R"({ "baseline": "forward-euler", "integrators": ["rkc:rtol=1e-5"], "motion_window": [0.002, 0.004] })");
+      R"({ "baseline": "forward-euler", "integrators": ["rkc:rtol=1e-5"], "motion_window": [0.002, 0.004],
+    "press_table": { "hold": [0.01], "upper_wall": [0.4], "seeds": [1, 2] } })");
   tree["material"] = {{"density", 2000.0}};
   tree["thermal"] = Tree::parse(R"({ "conductivity": 1e5, "specific_heat": 100.0, "initial": 300.0,
     "walls": { "lower": 1000.0, "upper": 900.0, "sides": 300.0 }, "walls_conduct": true })");
@@ -273,7 +237,7 @@ Tree press() {
     "particles": { "count": 6, "radius": 0.05, "seed": 3, "max_overlap": 0.0 },
     "bond": { "stiffness": 1e6, "exponent": 2.0, "threshold": 0.05, "rule": "overlap" },
     "phases": [ { "name": "press", "until": 0.01, "upper_wall": 0.45, "current": { "lower": 1e4, "upper": 1e4 } } ],
-    "stepping": { "scheme": "staggered", "phi": 0.5, "iterations": 10, "tolerance_position": 5e-4,
+    "stepping": { "scheme": "staggered", "control": "steady", "phi": 0.5, "iterations": 10, "tolerance_position": 5e-4,
       "tolerance_temperature": 5e-4, "power": 2.0, "first_step": 0.001, "largest_step": 0.005,
       "smallest_step": 1e-9, "growth": 2.0, "shrink": 0.1, "fraction": 0.5 } })");
   tree["dynamics"]["contact"] = law;
@@ -284,6 +248,9 @@ Tree press() {
 Tree press_of_a_list() {
   Tree tree = press();
   tree["electric"]["model"] = "potential";
+  tree["electric"]["saturation"] =
+      Tree::parse(R"({ "thermal": 1.0, "thermal_slope": 0.01, "temperature": 500.0,
+    "field": 0.5, "field_slope": 0.1, "reference_field": 1.0 })");
   tree["dynamics"]["phases"][0].erase("current");
   tree["dynamics"]["phases"][0]["potential"] = {{"lower", 0.0}, {"upper", 1.0}};
   tree["dynamics"]["bond"]["rule"] = "tension";
@@ -303,12 +270,48 @@ Tree press_with_necks() {
   return tree;
 }
 
+/// Several materials take their numbers from the tables of all.
+Tree press_of_materials(Tree tree) {
+  tree.erase("material");
+  for (const char* key : {"conductivity", "specific_heat"}) tree["thermal"].erase(key);
+  tree["electric"].erase("conductivity");
+  for (int k = 0; k < 2; ++k)
+    tree["materials"].push_back(Tree::parse(R"({ "density": 2000.0, "hardness": 2.0, "share": 1.0,
+      "thermal": { "conductivity": 1e5, "specific_heat": 100.0 }, "electric": { "conductivity": 0.1 } })"));
+  tree["materials"][0]["name"] = "hard";
+  tree["materials"][1]["name"] = "soft";
+  return tree;
+}
+
+Tree press_of_sizes(const char* sizes) {
+  Tree tree = press_of_materials(press());
+  tree["dynamics"]["particles"].erase("radius");
+  tree["dynamics"]["particles"]["sizes"] = Tree::parse(sizes);
+  return tree;
+}
+
+Tree press_of_named() {
+  Tree tree = press_of_materials(press_of_a_list());
+  for (auto& one : tree["dynamics"]["particles"]["list"]) one["material"] = "soft";
+  return tree;
+}
+
+Tree press_of_a_file(const CaseFolder& folder) {
+  folder.write(
+      "moved.csv",
+      "id,x,y,z,radius,vx,vy,vz,temperature\n7,100,100,100,50,0,0,1,400\n9,190,100,100,50,0,0,0,500\n");
+  folder.write("moved_bonds.csv", "i,j,overlap,growth\n7,9,0.12,0.5\n");
+  Tree tree = press_with_necks();
+  tree["dynamics"]["particles"] =
+      Tree::parse(R"({ "file": "moved.csv", "length_unit": "mm", "velocity_unit": 0.1,
+    "bonds": "moved_bonds.csv", "shift": [0.05, 0.05, 0.05], "max_overlap": 0.2 })");
+  return tree;
+}
+
 }  // namespace
 
 std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
-  write_lattice(folder);
-  write_grains(folder);
-  write_networks(folder);
+  write_files_of_cases(folder);
   const Tree cylinder = Tree::parse(R"({ "generator": "cylinder", "length_unit": "mm", "diameter": 4.0,
     "height": 5.0, "relative_density": 0.5, "count": 40, "seed": 2,
     "sizes": { "distribution": "lognormal", "min": 0.3, "max": 2.0, "sigma": 0.4, "median": 1.0 },
@@ -340,7 +343,14 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"driven", CaseKey::network, generated_network(table_in_file)},
           {"press", CaseKey::press, press()},
           {"list", CaseKey::press, press_of_a_list()},
-          {"necks", CaseKey::press, press_with_necks()}};
+          {"necks", CaseKey::press, press_with_necks()},
+          {"sized", CaseKey::press,
+           press_of_sizes(R"({ "distribution": "lognormal", "min": 0.06, "max": 0.12, "sigma": 0.2,
+             "median": 0.09 })")},
+          {"sizes", CaseKey::press,
+           press_of_sizes(R"({ "distribution": "list", "diameters": [0.08, 0.1], "weights": [1.0, 2.0] })")},
+          {"named", CaseKey::press, press_of_named()},
+          {"moved", CaseKey::press, press_of_a_file(folder)}};
 }
 
 }  // namespace superstep::test

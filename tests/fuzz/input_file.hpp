@@ -33,9 +33,10 @@ class InputFile {
   int descriptor_;
 };
 
-/// A message is one line that says something.
-inline void require_one_line(std::string_view message) {
-  if (message.empty() || message.find('\n') != std::string_view::npos) std::abort();
+/// A message says something. It may quote a file's control characters: the program escapes them where it
+/// prints.
+inline void require_text(std::string_view message) {
+  if (message.empty()) std::abort();
 }
 
 template <class Read>
@@ -43,7 +44,7 @@ void read_or_refuse(Read read) {
   try {
     read();
   } catch (const Error& error) {
-    require_one_line(error.what());
+    require_text(error.what());
   }
 }
 

@@ -62,6 +62,7 @@ TEST_F(NetworkFiles, BadMatricesAreRefusedByEntry) {
   expect_refused(symmetric_ + "2 2 2\n2 1 -2\n", "ends after 1 entries");
   expect_refused(symmetric_ + "2 2 1\n2 1 -2\n2 2 1\n", "K.mtx:4: has more rows");
   expect_refused(symmetric_ + "2 2 1\n3 1 -2\n", "K.mtx:3: position '3'");
+  expect_refused(symmetric_ + "2000000000 2000000000 1\n2 1 2\n", "most nodes touch nothing");
   expect_refused(symmetric_ + "2 2 1\n2 1 x\n", "entry is 'x'");
   expect_refused("%%MatrixMarket matrix coordinate complex general\n1 1 0\n", "'complex'");
   expect_refused("%%MatrixMarket matrix coordinate real hermitian\n1 1 0\n", "'hermitian'");
@@ -107,6 +108,51 @@ TEST_F(NetworkFiles, PoreNetworksJoinPoresByThroats) {
   EXPECT_NE(test::message_of<InputError>([&] {
               (void)read_openpnm(folder_.file("net.csv"), "throat.k", "");
             }).find("'throat.k'"),
+            std::string::npos);
+}
+
+/// What OpenPNM writes for ParaView: names with bars, labels as integers, arrays divided by tabs.
+std::string pores_for_paraview(const std::string& lines, const std::string& offsets = "2\t4") {
+  return "<?xml version=\"1.0\" ?>\n"
+         "<VTKFile byte_order=\"LittleEndian\" type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
+         "<Piece NumberOfLines=\"2\" NumberOfPoints=\"3\">\n<Points><DataArray Name=\"coords\" "
+         "NumberOfComponents=\"3\" type=\"Float64\">0.0\t0.0\t0.0\t1.0\t0.0\t0.0\t2.0\t0.0\t0.0</DataArray>\n"
+         "</Points>\n<Lines><DataArray Name=\"connectivity\" NumberOfComponents=\"1\" type=\"Int64\">" +
+         lines + "</DataArray>\n<DataArray Name=\"offsets\" NumberOfComponents=\"1\" type=\"Int64\">" +
+         offsets +
+         "</DataArray>\n</Lines>\n<PointData>"
+         "<DataArray Name=\"net | labels | pore.left\" NumberOfComponents=\"1\" "
+         "type=\"Int64\">1\t0\t0</DataArray>\n"
+         "<DataArray Name=\"net | properties | pore | volume\" NumberOfComponents=\"1\" "
+         "type=\"Float64\">1e-09\t2e-09\t3e-09</DataArray>\n</PointData>\n<CellData>"
+         "<DataArray Name=\"air | throat.diffusive_conductance\" NumberOfComponents=\"1\" "
+         "type=\"Float64\">2.0\t3.0</DataArray>\n</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+TEST_F(NetworkFiles, PoreNetworksForParaViewReadAsTheirTables) {
+  const auto pores = read_openpnm(folder_.write("net.vtp", pores_for_paraview("0\t1\t1\t2")),
+                                  "throat.diffusive_conductance", "pore.volume");
+  expect_chain(pores.input.graph);
+  EXPECT_EQ(pores.input.graph.capacity[2], 3e-9);
+  ASSERT_EQ(pores.labels.size(), 1u);
+  EXPECT_EQ(pores.labels[0].first, "pore.left");
+  EXPECT_EQ(pores.labels[0].second, (std::vector<char>{1, 0, 0}));
+}
+
+TEST_F(NetworkFiles, PoreNetworksForParaViewAreLinesOfTwoPores) {
+  const auto refusal = [&](const std::string& text, const std::string& conductance) {
+    return test::message_of<InputError>(
+        [&] { (void)read_openpnm(folder_.write("net.vtp", text), conductance, ""); });
+  };
+  const std::string name = "throat.diffusive_conductance";
+  EXPECT_NE(refusal(pores_for_paraview("0 1 1 3"), name).find("joins point 3"), std::string::npos);
+  EXPECT_NE(refusal(pores_for_paraview("0 1 1 1"), name).find("throat 1: throat joins pores 1 and 1"),
+            std::string::npos);
+  EXPECT_NE(refusal(pores_for_paraview("0 1 2 1", "3 4"), name).find("line 0 does not join two points"),
+            std::string::npos);
+  EXPECT_NE(refusal(pores_for_paraview("0 1 2", "3"), name).find("each line must join two"),
+            std::string::npos);
+  EXPECT_NE(refusal(pores_for_paraview("0 1 1 2"), "throat.k").find("it has air | throat.diffusive"),
             std::string::npos);
 }
 

@@ -12,7 +12,7 @@
 #include "network/network_in_order.hpp"
 #include "network/ordering.hpp"
 #include "network/spd_solver.hpp"
-#include "support/problem.hpp"
+#include "support/sample_graphs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace superstep {

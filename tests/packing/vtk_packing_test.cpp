@@ -195,6 +195,7 @@ TEST(VtkLegacy, AsciiAndBinaryWithCellsBetween) {
   expect_points(read_text(binary));
   EXPECT_NE(refusal(binary.substr(0, binary.size() / 2)), "");
   EXPECT_NE(refusal(text.substr(0, text.find("0.25"))).find("cut off"), std::string::npos);
+  EXPECT_NE(refusal(text.substr(0, text.find("type 1 3"))).find("cut off"), std::string::npos);
   EXPECT_NE(refusal(head + "ASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n").find("'DIMENSIONS'"),
             std::string::npos);
 }

@@ -43,9 +43,18 @@ TEST(ChartScale, LogarithmsPlaceDecadesEvenly) {
 TEST(ChartScale, SurvivesDegenerateAndHugeRanges) {
   for (const bool logarithmic : {false, true})
     for (const auto& [low, high] :
-         {std::pair{1.0, 1.0}, {0.0, 0.0}, {1e-300, 1e300}, {5.0, 5.0000001}, {-3.0, -3.0}}) {
+         {std::pair{1.0, 1.0},
+          {0.0, 0.0},
+          {1e-300, 1e300},
+          {5.0, 5.0000001},
+          {-3.0, -3.0},
+          {300.0, std::nextafter(300.0, 301.0)},  // a steady probe: no tick is one step after another
+          {300.0, 300.0 + 1e-9},
+          {1e20, 1e20 + 16384},
+          {0.0, 5e-324},
+          {-1.7e308, 1.7e308}}) {
       const ChartScale scale({.label = "", .logarithmic = logarithmic}, low, high, 0, 100);
-      EXPECT_LT(scale.ticks().size(), 1000U);
+      EXPECT_LT(scale.ticks().size(), 1000U) << low << ' ' << high;
       for (const auto& tick : scale.ticks()) EXPECT_TRUE(std::isfinite(scale.pixel(tick.value)));
     }
 }

@@ -41,6 +41,23 @@ TEST(CsvTable, EmptyCellsBlankLinesAndWindowsLineEnds) {
   EXPECT_FALSE(table.find("d"));
 }
 
+TEST(CsvTable, WhatCountsIsWhole) {
+  const TemporaryFolder folder;
+  const CsvTable table(folder.write("t.csv", "a\n7\n3.0\n-2\n1.5\n1e300\n\"\"\n"));
+  EXPECT_EQ(table.count(0, 0), 7U);
+  EXPECT_EQ(table.count(1, 0), 3U);
+  EXPECT_EQ(table.whole(2, 0), -2);
+  EXPECT_FALSE(table.count(5, 0));
+  for (const std::size_t row : {2U, 3U, 4U})
+    EXPECT_NE(message_of<InputError>([&] { (void)table.count(row, 0); }).find("not negative"),
+              std::string::npos)
+        << row;
+  for (const std::size_t row : {3U, 4U, 5U})
+    EXPECT_NE(message_of<InputError>([&] { (void)table.whole(row, 0); }).find("whole number"),
+              std::string::npos)
+        << row;
+}
+
 TEST(CsvTable, ErrorsNameFileAndRule) {
   const TemporaryFolder folder;
   const auto message = [&](const std::string& content, auto use) {

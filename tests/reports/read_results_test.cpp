@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "results/observations_csv.hpp"
+#include "results/read_motion.hpp"
 #include "results/results_json.hpp"
 #include "results/study/read_work_precision.hpp"
 #include "sample_report.hpp"
@@ -26,6 +27,22 @@ TEST(ReadResults, RunsToo) {
   const RunRecord record = test::sample_run();
   const std::string text = run_json(record);
   EXPECT_EQ(run_json(read_run_json(folder.write("run.json", text))), text);
+}
+
+TEST(ReadResults, NestingHasAnEnd) {
+  const TemporaryFolder folder;
+  const auto nested = [](std::size_t levels) {  // far deeper than a stack
+    return std::string(levels, '[') + std::string(levels, ']');
+  };
+  for (const std::string key : {"machine", "cases", "unknown"}) {
+    const std::string results = folder.write(
+        "results.json", "{\"schema\": \"superstep.results\", \"" + key + "\": " + nested(1000000) + "}");
+    EXPECT_NE(message_of<InputError>([&] { (void)read_results_json(results); }).find("nested deeper"),
+              std::string::npos);
+  }
+  (void)folder.write("run.json", "{\"motion\": " + nested(1000000) + "}");
+  EXPECT_NE(message_of<InputError>([&] { (void)read_motion(folder.file(".")); }).find("nested deeper"),
+            std::string::npos);
 }
 
 TEST(ReadResults, RefusesWhatIsNotAResult) {

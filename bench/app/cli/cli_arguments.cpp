@@ -36,13 +36,13 @@ void reject_unknown_arguments(const CLI::App& app) {
     const bool option = argument.starts_with("-");
     const std::string name = argument.substr(0, argument.find('='));
     if (option)
-      throw UsageError(fmt::format("unknown option {}{}", superstep::quoted(name),
+      throw UsageError(fmt::format("unknown option {}{}", superstep::in_quotes(name),
                                    suggestion(name, names_of_options(app))));
     if (app.get_parent() == nullptr)
-      throw UsageError(fmt::format("unknown command {}{}", superstep::quoted(name),
+      throw UsageError(fmt::format("unknown command {}{}", superstep::in_quotes(name),
                                    suggestion(name, names_of_commands(app))));
     throw UsageError(fmt::format("{}: unexpected argument {}; see superstep {} --help", app.get_name(),
-                                 superstep::quoted(argument), app.get_name()));
+                                 superstep::in_quotes(argument), app.get_name()));
   }
 }
 

@@ -22,12 +22,12 @@ OptionKey positive_key(const std::string& name) {
 
 double required(const Options& options, const std::string& key) {
   if (const auto value = options.given(key)) return *value;
-  throw UsageError(fmt::format("--sizes {}: key '{}' is missing", quoted(options.spec().text), key));
+  throw UsageError(fmt::format("--sizes {}: key '{}' is missing", in_quotes(options.spec().text), key));
 }
 
 void require_ascending(const SizeDistribution& sizes, const std::string& text) {
   if (sizes.min > sizes.max)
-    throw UsageError(fmt::format("--sizes {}: min must not be larger than max", quoted(text)));
+    throw UsageError(fmt::format("--sizes {}: min must not be larger than max", in_quotes(text)));
 }
 
 SizeDistribution lognormal(const Spec& spec, double unit) {
@@ -77,13 +77,14 @@ std::int64_t parse_integer_option(const std::string& option, const std::string& 
   const std::string range = max == std::numeric_limits<std::int64_t>::max()
                                 ? fmt::format(">= {}", min)
                                 : fmt::format("from {} to {}", min, max);
-  throw UsageError(fmt::format("{} {} is not valid; it must be an integer {}", option, quoted(text), range));
+  throw UsageError(
+      fmt::format("{} {} is not valid; it must be an integer {}", option, in_quotes(text), range));
 }
 
 double parse_positive_option(const std::string& option, const std::string& text) {
   const auto value = parse_number(text);
   if (value && *value > 0) return *value;
-  throw UsageError(fmt::format("{} {} is not valid; it must be a number > 0", option, quoted(text)));
+  throw UsageError(fmt::format("{} {} is not valid; it must be a number > 0", option, in_quotes(text)));
 }
 
 ColorMode parse_color_mode(const std::string& text) {
@@ -91,17 +92,26 @@ ColorMode parse_color_mode(const std::string& text) {
   if (text == "always") return ColorMode::always;
   if (text == "never") return ColorMode::never;
   const std::vector<std::string> modes = {"auto", "always", "never"};
-  throw UsageError(fmt::format("--color {} is not valid{}", quoted(text), suggestion(text, modes)));
+  throw UsageError(fmt::format("--color {} is not valid{}", in_quotes(text), suggestion(text, modes)));
 }
 
 SizeDistribution parse_sizes(const std::string& text, double unit) {
   constexpr std::string_view list = "list:";
   if (text.starts_with(list)) return list_of(std::string_view(text).substr(list.size()), unit);
   const std::string kind = text.substr(0, text.find(':'));
-  if (kind == "lognormal") return lognormal(parse_spec(text), unit);
-  if (kind == "uniform") return uniform(parse_spec(text), unit);
+  const auto spec = [&] {
+    try {
+      return parse_spec(text);
+    } catch (const UsageError&) {  // its message is about integrators
+      throw UsageError(
+          fmt::format("--sizes {} is not valid; write {}:key=value,key=value", in_quotes(text), kind));
+    }
+  };
+  if (kind == "lognormal") return lognormal(spec(), unit);
+  if (kind == "uniform") return uniform(spec(), unit);
   const std::vector<std::string> kinds = {"lognormal", "uniform", "list"};
-  throw UsageError(fmt::format("--sizes: unknown distribution {}{}", quoted(kind), suggestion(kind, kinds)));
+  throw UsageError(
+      fmt::format("--sizes: unknown distribution {}{}", in_quotes(kind), suggestion(kind, kinds)));
 }
 
 double parse_length_unit(const std::string& text) {

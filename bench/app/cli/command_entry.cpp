@@ -80,7 +80,7 @@ const std::string& single_case(const Arguments& values, const std::string& comma
     throw UsageError(fmt::format("{0}: a case file is missing; see superstep {0} --help", command));
   if (values.cases.size() > 1)
     throw UsageError(fmt::format("{0}: unexpected argument {1}; see superstep {0} --help", command,
-                                 quoted(values.cases[1])));
+                                 in_quotes(values.cases[1])));
   return values.cases.front();
 }
 

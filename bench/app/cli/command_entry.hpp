@@ -20,10 +20,11 @@ struct Arguments {
   bool quiet = false, json = false;
 
   std::vector<std::string> cases, integrators;
-  std::string tolerance, out, reference, against, checkpoint, restart, baseline, time_limit, max_work, corpus;
+  std::string tolerance, out, reference, against, checkpoint, restart, export_packing, baseline, time_limit,
+      max_work, corpus;
   std::optional<std::string> repetitions;
-  bool no_cache = false, work_precision = false, instructions = false, quick = false, report = false,
-       vtk = false, verify = false, markdown = false, keys = false;
+  bool no_cache = false, work_precision = false, instructions = false, press_table = false, quick = false,
+       report = false, vtk = false, verify = false, markdown = false, keys = false;
 
   std::string container = "cylinder", lattice, spacing, diameter, width, depth, height, count,
               relative_density, sizes, seed = "1", length_unit = "m", file;

@@ -102,7 +102,8 @@ std::string completion_script(const std::string& shell, std::span<const CommandS
   if (shell == "zsh") return zsh_script(commands);
   if (shell == "fish") return fish_script(commands);
   const std::vector<std::string> shells = {"bash", "zsh", "fish"};
-  throw UsageError(fmt::format("completion: unknown shell {}{}", quoted(shell), suggestion(shell, shells)));
+  throw UsageError(
+      fmt::format("completion: unknown shell {}{}", in_quotes(shell), suggestion(shell, shells)));
 }
 
 }  // namespace superstep

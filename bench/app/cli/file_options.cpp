@@ -23,7 +23,7 @@ std::optional<double> positive(const char* option, const std::string& text) {
 std::string one_of(const char* option, const std::string& text, const std::vector<std::string>& words) {
   if (std::find(words.begin(), words.end(), text) == words.end())
     throw UsageError(
-        fmt::format("{} {} is not valid{}", option, superstep::quoted(text), suggestion(text, words)));
+        fmt::format("{} {} is not valid{}", option, superstep::in_quotes(text), suggestion(text, words)));
   return text;
 }
 
@@ -62,7 +62,7 @@ FileOptions file_options_of(const Arguments& values) {
   if (!values.periodic.empty()) {
     if (values.periodic != "none" && values.periodic.find_first_not_of("xyz") != std::string::npos)
       throw UsageError(fmt::format("--periodic {} is not valid; it must be none, or axes such as x, xy, xyz",
-                                   superstep::quoted(values.periodic)));
+                                   superstep::in_quotes(values.periodic)));
     options.reading.periodic = values.periodic;
   }
   return options;

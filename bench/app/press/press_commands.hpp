@@ -21,6 +21,11 @@ int info_press(const InfoCommand& command, const Press& press);
 void bench_motion(const BenchCommand& command, const Press& press, const std::string& folder,
                   Progress& progress);
 
+/// superstep bench --press-table: prints the table and writes press_table.csv and press_table.svg into
+/// `folder`.
+void bench_press_table(const BenchCommand& command, const Press& press, const std::string& folder,
+                       Progress& progress);
+
 /// Checks SPECs that may be "staggered" as well: the phi rule inside the iteration. Throws UsageError.
 void check_specs_of_press(const std::vector<std::string>& specs);
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "bench/app/press/export_packing.hpp"
 #include "bench/app/press/press_commands.hpp"
 #include "bench/app/press/sintering_files.hpp"
 #include "bench/host/interrupt.hpp"
@@ -26,8 +27,6 @@
 
 namespace superstep {
 namespace {
-
-constexpr double first_look = 10;  // s after which a forecast is worth something
 
 using dynamics::Motion;
 
@@ -53,7 +52,11 @@ void begin(const Press& one, const RunCommand& command, Motion& motion) {
   dynamics::Checkpoint stored = dynamics::read_checkpoint(command.restart);
   const auto& here = one.particles;
   if (stored.particles.id != here.id || stored.particles.radius != here.radius ||
-      stored.particles.mass != here.mass || stored.state.size() != here.size())
+      stored.particles.mass != here.mass || stored.particles.material != here.material ||
+      stored.particles.specific_heat != here.specific_heat ||
+      stored.particles.conductivity != here.conductivity ||
+      stored.particles.electric_conductivity != here.electric_conductivity ||
+      stored.particles.hardness != here.hardness || stored.state.size() != here.size())
     throw InputError(fmt::format("{}: holds other particles than {}; restart with the case that wrote it",
                                  command.restart, one.file));
   dynamics::require_same_model(stored, one.model, command.restart, one.file);
@@ -164,7 +167,7 @@ SinteringResult integrate(const Press& one, const RunCommand& command, const std
   checkpoints.started_at(motion.state().time);
   snapshots.add_frame(motion);
   if (command.limits.say)
-    dog.look_after(first_look, [&, from = motion.state().time](double seconds) {
+    dog.look_after(Watchdog::first_look, [&, from = motion.state().time](double seconds) {
       const double part = std::max(0.0, reached.load() - from) / (one.t_end - from);
       const std::string text = forecast_text(one.name, part, seconds, command.limits.seconds, "");
       if (!text.empty()) command.limits.say(text);
@@ -218,6 +221,9 @@ int run_into(const Press& one, const RunCommand& command, double cpu_setup, cons
   write_file_atomically(folder + "/final.csv", particles_csv(one, motion.state()));
   for (const char* name : {"history.csv", "history.svg", "final.csv", "run.json"})
     result.files.emplace_back(name);
+  if (!command.export_packing.empty() && result.outcome.ok())
+    for (const auto& name : export_packing(command.export_packing, one, motion.network(), motion.state()))
+      if (!quiet) note("packing in " + name);
   const std::string json = sintering_json(one, motion, result, command.common.threads);
   write_file_atomically(folder + "/run.json", json);
   if (!quiet) warn(result.warnings);
@@ -240,6 +246,8 @@ int run_press(const RunCommand& command, const Press& press, double cpu_setup) {
     throw UsageError(
         "run: --max-work counts sweeps over a network that stays as it is; particles that move "
         "have none, give --time-limit");
+  if (!command.export_packing.empty() && command.integrators.size() > 1)
+    throw UsageError("run: --export-packing takes one run; give one --integrator");
   catch_interrupts();
   const std::string out = command.out.empty() ? default_output_folder(press.name) : command.out;
   const auto specs = command.integrators.empty() ? std::vector<std::string>{""} : command.integrators;

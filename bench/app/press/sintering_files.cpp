@@ -107,11 +107,14 @@ std::string history_csv(const Press& one, std::span<const HistoryRow> history) {
   fmt::format_to(
       to,
       "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,"
-      "contacts,step,iterations,rejections\n");
+      "contacts,step,iterations,rejections,wall_work,potential_energy,elastic_energy,dissipated,joule_heat,"
+      "heat_lost,heat_content,landed\n");
   for (const auto& row : history)
-    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, csv_cell(phase_name(one, row)),
-                   row.volume_fraction, row.mean_temperature, row.max_temperature, row.wall_force,
-                   row.kinetic_energy, row.bonds, row.contacts, row.step, row.iterations, row.rejections);
+    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time,
+                   csv_cell(phase_name(one, row)), row.volume_fraction, row.mean_temperature,
+                   row.max_temperature, row.wall_force, row.kinetic_energy, row.bonds, row.contacts, row.step,
+                   row.iterations, row.rejections, row.wall_work, row.potential_energy, row.elastic_energy,
+                   row.dissipated, row.joule_heat, row.heat_lost, row.heat_content, row.landed);
   return fmt::to_string(out);
 }
 
@@ -166,6 +169,9 @@ std::string sintering_summary(const Press& one, const Motion& motion, const Sint
   text += fmt::format(" contacts {:.0f} % forces {:.0f} % heat {:.0f} % current {:.0f} % rest {:.0f} %",
                       percent(parts.contacts), percent(parts.forces), percent(parts.heat),
                       percent(parts.current), percent(parts.rest));
+  const auto errors = dynamics::balance_errors(motion.history());
+  text += fmt::format("\nenergy balance of what was turned over: motion closes to {:.1e}, heat to {:.1e}",
+                      errors.mechanical, errors.thermal);
   return text + fmt::format("\n{}\n", folder);
 }
 

@@ -47,7 +47,7 @@ std::vector<CorpusFile> corpus_files(const std::string& set_or_folder) {
   std::error_code none;
   if (!fs::is_directory(folder, none))
     throw UsageError(fmt::format("bench: --corpus {}: it must be quick, standard, large or a folder of cases",
-                                 superstep::quoted(folder)));
+                                 superstep::in_quotes(folder)));
   std::vector<CorpusFile> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".toml") continue;
@@ -60,7 +60,7 @@ std::vector<CorpusFile> corpus_files(const std::string& set_or_folder) {
       files.push_back({entry.path().string(), tags.value_or(no_tags())});
   }
   if (files.empty())
-    throw UsageError(fmt::format("bench: there is no case (*.toml) in {}", superstep::quoted(folder)));
+    throw UsageError(fmt::format("bench: there is no case (*.toml) in {}", superstep::in_quotes(folder)));
   std::sort(files.begin(), files.end(), [](const CorpusFile& a, const CorpusFile& b) {
     return std::tie(a.tags.unknowns, a.path) < std::tie(b.tags.unknowns, b.path);
   });

@@ -33,7 +33,6 @@ constexpr double least_patience = 0.05;  // s; shorter runs are let be
 constexpr double cold_run = 0.02;        // s; shorter first runs are repeated at once
 constexpr double seconds_between_keeps = 20;
 constexpr double least_for_a_reference = 300;  // s
-constexpr double bars = 3;                     // errors below three bars of the reference are equal
 
 std::string fact(const std::vector<Fact>& facts, const std::string& name) {
   for (const auto& one : facts)
@@ -58,6 +57,7 @@ class SceneSweep {
     facts_.pieces = work.pieces;
     facts_.shapes = work.shapes;
     facts_.output_decades = work.output_decades;
+    facts_.nonzeros = static_cast<std::uint64_t>(work.nonzeros);
     facts_.threads = static_cast<std::uint64_t>(options.threads);
     facts_.time_limit = options.limits.seconds;
     facts_.processor = fact(machine_facts(), "processor");
@@ -99,7 +99,8 @@ class SceneSweep {
     Patience out{options_.limits.seconds, nullptr};
     for (const auto& row : rows_) {
       if (!row.ok() || !row.cpu || !row.error) continue;
-      const double least_error = std::max(corpus_levels().back(), bars * row.reference_error.value_or(0));
+      const double least_error =
+          std::max(corpus_levels().back(), bars_that_count * row.reference_error.value_or(0));
       const double seconds = std::max(least_patience, out_of_sight * *row.cpu);
       if (*row.error <= least_error && (!(out.seconds > 0) || seconds < out.seconds)) out = {seconds, &row};
     }
@@ -242,7 +243,8 @@ class SceneSweep {
   [[nodiscard]] bool contends(const CorpusRow& row) const {
     if (!row.ok() || !row.cpu || !row.error) return false;
     if (row.integrator == "auto") return true;
-    const double floor = bars * row.reference_error.value_or(0), error = std::max(*row.error, floor);
+    const double floor = bars_that_count * row.reference_error.value_or(0),
+                 error = std::max(*row.error, floor);
     return std::none_of(rows_.begin(), rows_.end(), [&](const CorpusRow& other) {
       return other.ok() && other.cpu && other.error && std::max(*other.error, floor) <= error &&
              *other.cpu * hopeless < *row.cpu;

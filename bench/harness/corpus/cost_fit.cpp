@@ -92,6 +92,7 @@ Work work_of(const CorpusRow& row) {
   return {.physics = physics_of(name),
           .steady = is_steady,
           .unknowns = static_cast<double>(row.unknowns),
+          .nonzeros = static_cast<double>(row.nonzeros),
           .t_rho = row.stiffness,
           .pieces = row.pieces,
           .shapes = row.shapes,

@@ -10,8 +10,6 @@
 namespace superstep {
 namespace {
 
-constexpr double bars = 3;  // errors below three error bars of the reference can not be judged
-
 /// Straight lines between the points of a ladder, in logarithms; its ends beyond them.
 std::optional<double> between(std::vector<std::pair<double, double>> points, double rtol) {
   if (points.empty()) return std::nullopt;
@@ -76,7 +74,7 @@ std::vector<HeldOut> held_out_choices(std::span<const CorpusRow> rows, std::span
       if (scene.facts->scene_class != held || scene.facts->physics.empty()) continue;
       for (const double rtol : corpus_levels()) {
         const Number bar = scene.facts->reference_error;
-        if (!bar || bars * *bar > rtol) continue;
+        if (!bar || bars_that_count * *bar > rtol) continue;
         HeldOut one = held_out(scene, points, rtol, constants);
         if (one.best) out.push_back(std::move(one));
       }

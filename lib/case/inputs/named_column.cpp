@@ -24,8 +24,8 @@ double number_in(const DelimitedTable& table, std::size_t column) {
   if (!value)
     throw InputError(
         fmt::format("{}: column {} is {}; it must be a finite decimal number such as 1.5e-3", table.where(),
-                    table.names().empty() ? std::to_string(column + 1) : quoted(table.names()[column]),
-                    quoted(table.cells()[column])));
+                    table.names().empty() ? std::to_string(column + 1) : in_quotes(table.names()[column]),
+                    in_quotes(table.cells()[column])));
   return *value;
 }
 

@@ -77,6 +77,11 @@ TimeTable repeated(const TimeTable& once, const TomlValue& period, double t_end)
     period.reject(fmt::format("the profile is {} s long, and must not be longer than its period", own));
   const double first = std::floor((0 - once.time.front()) / length),
                last = std::ceil((t_end - once.time.front()) / length);
+  constexpr double most_turns = 0x1p53;  // beyond, turns can not be counted
+  if (!(std::abs(first) < most_turns && std::abs(last) < most_turns))
+    period.reject(fmt::format(
+        "it is nothing beside the instants of the profile, which begins at {} s, or beside t_end = {} s",
+        once.time.front(), t_end));
   if ((last - first + 1) * static_cast<double>(once.time.size()) > most_knots)
     period.reject(fmt::format(
         "up to t_end = {} s the profile would have more than {} instants; it is too short, or t_end "

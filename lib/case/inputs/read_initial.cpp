@@ -49,7 +49,7 @@ std::vector<double> of_file(const TomlTable& table, const TomlValue& file, const
       throw InputError(fmt::format(
           "{}: id is {}, which is nobody of this case; the file must hold its particles or nodes, "
           "each once",
-          rows.where(), quoted(rows.cells()[id_column])));
+          rows.where(), in_quotes(rows.cells()[id_column])));
     if (!std::isnan(values[found->second]))
       throw InputError(fmt::format("{}: id {} stands twice; keep one", rows.where(), found->first));
     values[found->second] = number_in(rows, value_column);

@@ -57,6 +57,8 @@ class KeyList {
 void list_common_keys(KeyList& keys);
 void list_corpus_keys(KeyList& keys);
 void list_packing_keys(KeyList& keys);
+/// A table of sizes in the table at hand, its diameters in `unit`.
+void list_sizes(KeyList& keys, const std::string& unit);
 void list_field_keys(KeyList& keys);
 void list_press_keys(KeyList& keys);
 

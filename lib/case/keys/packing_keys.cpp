@@ -51,7 +51,7 @@ void list_common_keys(KeyList& keys) {
       .fallback = "auto";
   keys.number("ambient", any_number, "K or V", "of surroundings, to which row sums of a Laplacian lead")
       .fallback = "0";
-  keys.text("openpnm", "or a pore network in CSV");
+  keys.text("openpnm", "or a pore network in CSV or VTP");
   keys.text("conductance", "openpnm: the column of throats that conducts");
   keys.number("capacity", no_less_than_zero, "J/K or F",
               "without nodes: of all, or a file, or openpnm's column")
@@ -96,6 +96,17 @@ void list_corpus_keys(KeyList& keys) {
   keys.number("contrast", positive_number, "", "largest over smallest rate of exchange").fallback = "1";
 }
 
+void list_sizes(KeyList& keys, const std::string& unit) {
+  keys.table("sizes", "diameters");
+  keys.text("sizes.distribution", "of the diameters", {"lognormal", "uniform", "list"});
+  keys.number("sizes.min", positive_number, unit, "lognormal, uniform: smallest diameter");
+  keys.number("sizes.max", positive_number, unit, "lognormal, uniform: largest diameter");
+  keys.number("sizes.sigma", {.min = 1e-3, .max = 10}, "", "lognormal: standard deviation of ln(diameter)");
+  keys.number("sizes.median", positive_number, unit, "lognormal: median diameter");
+  keys.numbers("sizes.diameters", 0, positive_number, unit, "list: the diameters");
+  keys.numbers("sizes.weights", 0, positive_number, "", "list: number fractions").fallback = "equal";
+}
+
 void list_packing_keys(KeyList& keys) {
   keys.in("", CaseKey::packing).table("packing", "where the particles come from");
   keys.in("packing", CaseKey::packing);
@@ -134,14 +145,7 @@ void list_packing_keys(KeyList& keys) {
   keys.list("materials", CaseKey::text, "grid: names, drawn by chance");
   keys.numbers("shares", 0, positive_number, "", "grid: number fractions of the materials").fallback =
       "equal";
-  keys.table("sizes", "diameters");
-  keys.text("sizes.distribution", "of the diameters", {"lognormal", "uniform", "list"});
-  keys.number("sizes.min", positive_number, "length_unit", "lognormal, uniform: smallest diameter");
-  keys.number("sizes.max", positive_number, "length_unit", "lognormal, uniform: largest diameter");
-  keys.number("sizes.sigma", positive_number, "", "lognormal: standard deviation of ln(diameter)");
-  keys.number("sizes.median", positive_number, "length_unit", "lognormal: median diameter");
-  keys.numbers("sizes.diameters", 0, positive_number, "length_unit", "list: the diameters");
-  keys.numbers("sizes.weights", 0, positive_number, "", "list: number fractions").fallback = "equal";
+  list_sizes(keys, "length_unit");
   keys.table("container", "of the packing in the file: for its density and effective conductivity");
   keys.number("container.diameter", positive_number, "length_unit", "of a cylinder");
   keys.number("container.width", positive_number, "length_unit", "of a box");

@@ -22,6 +22,7 @@ void list_stepping(KeyList& keys) {
   keys.in("dynamics", CaseKey::press).table("stepping", "how time is stepped");
   keys.in("dynamics.stepping", CaseKey::press);
   keys.text("scheme", "of the motion", {"staggered", "plain"}).fallback = "staggered";
+  keys.text("control", "of the step", {"steady", "paper"}).fallback = "steady";
   keys.number("phi", part, "", "0 explicit, 1 implicit, 0.5 second order").fallback = "0.5";
   keys.integer("iterations", {.min = 2, .max = 1000}, "wanted in a step").fallback = "10";
   keys.number("tolerance_position", positive_number, "", "of the iteration").fallback = "5e-4";
@@ -54,7 +55,37 @@ void list_fields(KeyList& keys) {
   keys.number("conductivity", positive_number, "S/m", "of the particles");
   keys.number("absorption", part, "", "of the heat of the current").fallback = "1";
   keys.number("tolerance", positive_number, "", "of the solver").fallback = "1e-10";
+  keys.table("saturation", "of the conductivity with temperature and field");
+  for (const char* key : {"saturation.thermal", "saturation.field"})
+    keys.number(key, no_less_than_zero, "", "what it gains at most, in conductivities").fallback = "0";
+  keys.number("saturation.thermal_slope", no_less_than_zero, "1/K", "how fast with temperature").fallback =
+      "0";
+  keys.number("saturation.temperature", no_less_than_zero, "K", "of half the gain").fallback = "300";
+  keys.number("saturation.field_slope", no_less_than_zero, "m/V", "how fast with the field").fallback = "0";
+  keys.number("saturation.reference_field", no_less_than_zero, "V/m", "from where on").fallback = "0";
   keys.boolean("hold_temperature", "true", "what touches an electrified wall takes its temperature");
+}
+
+void list_materials(KeyList& keys) {
+  keys.in("", CaseKey::press).list("materials", CaseKey::table, "several materials, one table each");
+  keys.in("materials[]", CaseKey::press);
+  keys.text("name", "as particles say it");
+  keys.number("density", positive_number, "kg/m3", "of its particles");
+  keys.table("thermal", "its conductivity and specific heat");
+  keys.number("thermal.conductivity", no_less_than_zero, "W/(m K)", "of the material");
+  keys.number("thermal.specific_heat", positive_number, "J/(kg K)", "of the material");
+  keys.table("electric", "its conductivity, where there is a current");
+  keys.number("electric.conductivity", positive_number, "S/m", "of the material");
+  keys.number("hardness", positive_number, "", "stiffness of its contacts over that of dynamics.contact")
+      .fallback = "1";
+  keys.number("share", no_less_than_zero, "", "of particles set at random, by number").fallback = "0";
+}
+
+void list_table(KeyList& keys) {
+  keys.in("bench", CaseKey::press).table("press_table", "what `superstep bench --press-table` goes through");
+  keys.numbers("press_table.hold", 0, positive_number, "s", "how long to hold");
+  keys.numbers("press_table.upper_wall", 0, any_number, "m", "lowest heights of the upper wall");
+  keys.list("press_table.seeds", CaseKey::integer, "of the particles");
 }
 
 void list_phases(KeyList& keys) {
@@ -76,6 +107,8 @@ void list_phases(KeyList& keys) {
 
 void list_press_keys(KeyList& keys) {
   list_fields(keys);
+  list_materials(keys);
+  list_table(keys);
   keys.in("", CaseKey::press).table("dynamics", "the particles move");
   keys.in("dynamics", CaseKey::press);
   keys.number("gravity", no_less_than_zero, "m/s2", "downwards").fallback = "9.81";
@@ -91,13 +124,21 @@ void list_press_keys(KeyList& keys) {
   keys.number("particles.radius", positive_number, "m", "of those");
   keys.integer("particles.seed", no_less_than_zero, "of the random numbers").fallback = "1";
   keys.list("particles.list", CaseKey::table, "or one table each");
+  keys.text("particles.file", "or a packing in any format");
+  keys.text("particles.length_unit", "of that file").fallback = "m";
+  keys.number("particles.velocity_unit", positive_number, "m/s", "of its velocities").fallback =
+      "its unit of length per second";
+  keys.text("particles.bonds", "CSV with i, j, overlap, growth of its bonds");
+  keys.numbers("particles.shift", 3, any_number, "m", "added to its centres").fallback = "[0, 0, 0]";
   keys.number("particles.max_overlap", proper_part, "", "at the start, of the sum of two radii").fallback =
       "0";
+  list_sizes(keys.in("dynamics.particles", CaseKey::press), "m");
   keys.in("dynamics.particles.list[]", CaseKey::press);
   keys.numbers("position", 3, any_number, "m", "its centre");
   keys.number("radius", positive_number, "m", "its radius");
   keys.numbers("velocity", 3, any_number, "m/s", "its velocity").fallback = "[0, 0, 0]";
   keys.number("temperature", no_less_than_zero, "K", "at t = 0").fallback = "thermal.initial";
+  keys.text("material", "one of materials, where there are several");
   list_contact_law(keys, "contact", "force between two particles");
   list_contact_law(keys, "wall", "force between a particle and a wall");
   keys.in("dynamics", CaseKey::press).table("bond", "hot contacts bond; left out = none do");

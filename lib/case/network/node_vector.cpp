@@ -48,7 +48,7 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
     const auto found = number ? position.find(*number) : position.end();
     if (found == position.end())
       throw InputError(fmt::format("{}: id is {}; it must be a node of the network", table.where(),
-                                   quoted(table.cells()[0])));
+                                   in_quotes(table.cells()[0])));
     if (out.given[found->second])
       throw InputError(fmt::format("{}: id {} stands twice; keep one", table.where(), found->first));
     out.value[found->second] = number_in(table, 1);

@@ -16,10 +16,6 @@
 namespace superstep {
 namespace {
 
-double component(Vec3 v, char axis) noexcept {
-  return axis == 'x' ? v.x : axis == 'y' ? v.y : v.z;
-}
-
 std::string toml_string(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {

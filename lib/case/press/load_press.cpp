@@ -39,6 +39,9 @@ void read_stepping(TomlTable dynamics, Press& press) {
   settings.scheme = word_from(table, "scheme", {"staggered", "plain"}, "staggered") == "plain"
                         ? SteppingSettings::Scheme::plain
                         : SteppingSettings::Scheme::staggered;
+  settings.control = word_from(table, "control", {"steady", "paper"}, "steady") == "paper"
+                         ? SteppingSettings::Control::paper
+                         : SteppingSettings::Control::steady;
   settings.phi = number_from(table, "phi", 0, settings.phi, "-");
   if (const auto iterations = table.find("iterations")) {
     if (iterations->integer() < 2 || iterations->integer() > 1000)
@@ -73,21 +76,51 @@ void read_motion_window(TomlTable& root, Press& press) {
   press.motion_window = {ends[0], ends[1]};
 }
 
+void read_press_table(TomlTable& root, Press& press) {
+  auto bench = root.table("bench");
+  auto table = bench ? bench->table("press_table") : std::nullopt;
+  if (!table) return;
+  Press::Table axes;
+  const auto numbers = [&](const char* key, const char* why) {
+    const auto value = table->require(key, why);
+    auto list = value.numbers();
+    if (list.empty()) value.reject("it must hold at least one number");
+    return list;
+  };
+  axes.holds = numbers("hold", "it lists how long to hold [s]");
+  axes.walls = numbers("upper_wall", "it lists lowest heights of the upper wall [m]");
+  for (const double hold : axes.holds)
+    if (!(hold > 0)) table->find("hold")->reject("every hold must be > 0 s");
+  const auto seeds = table->require("seeds", "it lists seeds of the particles");
+  for (const auto& seed : seeds.array()) {
+    if (seed.integer() < 0) seed.reject("it must be >= 0");
+    axes.seeds.push_back(seed.integer());
+  }
+  if (axes.seeds.empty()) seeds.reject("there must be at least one");
+  table->finish();
+  press.table = std::move(axes);
+}
+
 }  // namespace
 
 Press load_press(const std::string& path) {
   return load_press(TomlTable::parse_file(path));
 }
 
-Press load_press(TomlTable root) {
+Press load_press(const std::string& path, std::uint64_t seed) {
+  return load_press(TomlTable::parse_file(path), seed);
+}
+
+Press load_press(TomlTable root, std::optional<std::uint64_t> seed) {
   for (const char* key : {"title", "source", "t_end", "output_times", "bench", "corpus", "material",
-                          "thermal", "electric", "dynamics"})
+                          "materials", "thermal", "electric", "dynamics"})
     (void)root.find(key);
   root.finish();  // a misspelt table is said first: what follows would only miss it
   Press press;
   read_head(root, press);
   read_motion_window(root, press);
-  ModelInput input = read_model(root, press.t_end);
+  read_press_table(root, press);
+  ModelInput input = read_model(root, press.t_end, seed);
   read_stepping(*root.table("dynamics"), press);
   root.finish();
   press.model = std::move(input.model);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/press/read_materials.hpp"
 #include "case/press/read_particles.hpp"
 #include "case/press/read_values.hpp"
 #include "core/error.hpp"
@@ -126,7 +127,23 @@ void read_wall_temperatures(TomlTable& table, ThermalLaw& law) {
   law.wall_temperature[upper] = required_from(each, "upper", 0, "K");
 }
 
-ElectricLaw read_electric(TomlTable table) {
+/// sigma(T, E) of eq. 50.
+Saturation read_saturation(TomlTable table, CurrentModel model) {
+  Saturation law;
+  law.thermal = number_from(table, "thermal", 0, 0, "-");
+  law.thermal_slope = number_from(table, "thermal_slope", 0, 0, "1/K");
+  law.temperature = number_from(table, "temperature", 0, law.temperature, "K");
+  const auto field = table.find("field");
+  if (field && model != CurrentModel::potential)
+    field->reject("particle currents have no field; remove it, or take model = \"potential\"");
+  law.field = number_from(table, "field", 0, 0, "-");
+  law.field_slope = number_from(table, "field_slope", 0, 0, "m/V");
+  law.reference_field = number_from(table, "reference_field", 0, 0, "V/m");
+  table.finish();
+  return law;
+}
+
+ElectricLaw read_electric(TomlTable table, bool several) {
   ElectricLaw law;
   law.model = word_from(table, "model", {"averaging", "potential"}, "averaging") == "averaging"
                   ? CurrentModel::averaging
@@ -135,7 +152,8 @@ ElectricLaw read_electric(TomlTable table) {
   law.solver = solver == "jacobi"   ? CurrentSolver::jacobi
                : solver == "direct" ? CurrentSolver::direct
                                     : CurrentSolver::conjugate;
-  law.conductivity = table.positive("conductivity", "S/m");
+  if (!several) law.conductivity = table.positive("conductivity", "S/m");
+  if (auto saturation = table.table("saturation")) law.saturation = read_saturation(*saturation, law.model);
   const auto absorption = table.find("absorption");
   if (absorption && !(absorption->number() >= 0 && absorption->number() <= 1))
     absorption->reject("it must lie between 0 and 1");
@@ -208,18 +226,22 @@ double smallest_radius(const Particles& particles) {
 
 }  // namespace
 
-ModelInput read_model(TomlTable& root, double t_end) {
+ModelInput read_model(TomlTable& root, double t_end, std::optional<std::uint64_t> seed) {
   ModelInput input;
   Model& model = input.model;
-  TomlTable material = table_from(root, "material", "it holds the density");
-  const double density = material.positive("density", "kg/m3");
+  const auto materials = read_press_materials(root, root.find("electric").has_value());
+  const bool several = !materials.front().name.empty();
+  if (several)
+    for (const auto& material : materials) model.material_names.push_back(material.name);
 
   TomlTable thermal = table_from(root, "thermal", "moving particles need their temperatures");
-  model.thermal.conductivity = required_from(thermal, "conductivity", 0, "W/(m K)");
-  model.thermal.specific_heat = thermal.positive("specific_heat", "J/(kg K)");
+  if (!several) {
+    model.thermal.conductivity = required_from(thermal, "conductivity", 0, "W/(m K)");
+    model.thermal.specific_heat = thermal.positive("specific_heat", "J/(kg K)");
+  }
   const double initial = required_from(thermal, "initial", 0, "K");
   read_wall_temperatures(thermal, model.thermal);
-  if (root.find("electric")) model.electric = read_electric(*root.table("electric"));
+  if (root.find("electric")) model.electric = read_electric(*root.table("electric"), several);
 
   TomlTable dynamics = table_from(root, "dynamics", "it holds the laws of motion");
   model.gravity = number_from(dynamics, "gravity", 0, model.gravity, "m/s2");
@@ -233,8 +255,8 @@ ModelInput read_model(TomlTable& root, double t_end) {
     require_bounded_attraction(*bond, model.bond, model.contact);
   }
   model.schedule = read_phases(dynamics, model, t_end);
-  read_particles(table_from(dynamics, "particles", "it holds count and radius, or a list"), density, initial,
-                 input);
+  read_particles(table_from(dynamics, "particles", "it holds count and radius, a list, or a file"), materials,
+                 initial, seed, input);
   constexpr double usual_skin =
       0.2;  // of the smallest radius: wider lists more pairs, narrower lists oftener
   model.skin = positive_or(dynamics, "skin", usual_skin * smallest_radius(input.particles), "m");

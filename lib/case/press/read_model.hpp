@@ -1,6 +1,9 @@
 #pragma once
 /// The tables of a case with moving particles.
 
+#include <cstdint>
+#include <optional>
+
 #include "core/text/toml.hpp"
 #include "dynamics/model.hpp"
 #include "dynamics/particles.hpp"
@@ -18,6 +21,8 @@ struct ModelInput {
 /// Throws InputError with file, line, value, rule and way out; overlapping or misplaced particles, walls that
 /// would cross and a placement that finds no room are such errors.
 ///   t_end [s]  that the phases have to reach
-[[nodiscard]] ModelInput read_model(TomlTable& root, double t_end);
+///   seed       of generated particles, instead of the one that the case states
+[[nodiscard]] ModelInput read_model(TomlTable& root, double t_end,
+                                    std::optional<std::uint64_t> seed = std::nullopt);
 
 }  // namespace superstep::dynamics

@@ -1,14 +1,21 @@
 #pragma once
 /// [dynamics.particles]: who is in the press.
 
+#include <optional>
+#include <vector>
+
+#include "case/press/read_materials.hpp"
 #include "case/press/read_model.hpp"
 #include "core/text/toml.hpp"
 
 namespace superstep::dynamics {
 
-/// Either `count`, `radius`, `seed` for random sequential addition, or `list` of particles with a position
-/// each. Generated particles are numbered as they were placed and stored bin by bin, for locality.
-///   initial [K], density [kg/m3]
-void read_particles(TomlTable table, double density, double initial, ModelInput& input);
+/// One of: `count` with `radius` or `sizes`, and `seed`, for random sequential addition; a `list` of
+/// particles with a position each; a packing `file` in any format, with `bonds` beside it.
+/// Generated and read particles are stored bin by bin, for locality.
+///   initial [K]
+///   seed    goes over the one that the case states
+void read_particles(TomlTable table, const std::vector<PressMaterial>& materials, double initial,
+                    std::optional<std::uint64_t> seed, ModelInput& input);
 
 }  // namespace superstep::dynamics

@@ -25,7 +25,7 @@ void CsvReader::place_columns(std::size_t required) {
   for (std::size_t k = 0; k < header.size(); ++k) {
     const auto column = std::find(columns_.begin(), columns_.end(), lower_case(header[k]));
     if (column == columns_.end())
-      throw InputError(fmt::format("{}: unknown column {} in the header{}", where(), quoted(header[k]),
+      throw InputError(fmt::format("{}: unknown column {} in the header{}", where(), in_quotes(header[k]),
                                    suggestion(header[k], columns_)));
     auto& position = position_[static_cast<std::size_t>(column - columns_.begin())];
     if (position >= 0)
@@ -62,7 +62,7 @@ double CsvReader::number(std::size_t column) const {
   const auto value = parse_number(text(column));
   if (!value)
     throw InputError(fmt::format("{}: column '{}' is {}; it must be a finite decimal number such as 1.5e-3",
-                                 where(), columns_[column], quoted(text(column))));
+                                 where(), columns_[column], in_quotes(text(column))));
   return *value;
 }
 
@@ -70,7 +70,7 @@ std::int64_t CsvReader::integer(std::size_t column) const {
   const auto value = parse_whole_number(text(column));
   if (!value)
     throw InputError(fmt::format("{}: column '{}' is {}; it must be an integer", where(), columns_[column],
-                                 quoted(text(column))));
+                                 in_quotes(text(column))));
   return *value;
 }
 

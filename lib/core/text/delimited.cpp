@@ -147,7 +147,7 @@ void DelimitedTable::split(std::string_view line) {
   if (!split_cells(line, delimiter_, cells_))
     throw InputError(
         fmt::format("{}: row {} has a quote that is not closed, or text beside a quoted cell; mend it",
-                    where(), quoted(line)));
+                    where(), in_quotes(line)));
 }
 
 bool DelimitedTable::next() {

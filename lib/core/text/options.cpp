@@ -35,9 +35,9 @@ void check(const std::string& spec, const OptionKey& key, const std::string& val
   }
   if (!valid) {
     const std::string near = key.words.empty() ? std::string{} : suggestion(value, key.words);
-    throw UsageError(fmt::format("{}: {} = {} is not valid; it must be {}{}{}", spec, key.name, quoted(value),
-                                 key.type == OptionKey::Type::integer ? "an integer, " : "", key.range(),
-                                 near));
+    throw UsageError(fmt::format("{}: {} = {} is not valid; it must be {}{}{}", spec, key.name,
+                                 in_quotes(value), key.type == OptionKey::Type::integer ? "an integer, " : "",
+                                 key.range(), near));
   }
 }
 
@@ -55,7 +55,7 @@ Spec parse_spec(const std::string& text) {
   spec.name = text.substr(0, colon);
   const auto usage = [&](const std::string& what) {
     return UsageError(
-        fmt::format("integrator {}: {}; write name or name:key=value,key=value", quoted(text), what));
+        fmt::format("integrator {}: {}; write name or name:key=value,key=value", in_quotes(text), what));
   };
   if (spec.name.empty()) throw usage("the name is empty");
   if (colon == std::string::npos) return spec;
@@ -66,10 +66,10 @@ Spec parse_spec(const std::string& text) {
     more = comma != std::string::npos;
     if (more) rest.erase(0, comma + 1);
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) throw usage(fmt::format("setting {} has no '='", quoted(setting)));
+    if (equals == std::string::npos) throw usage(fmt::format("setting {} has no '='", in_quotes(setting)));
     const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
     if (key.empty() || value.empty())
-      throw usage(fmt::format("setting {} lacks a key or a value", quoted(setting)));
+      throw usage(fmt::format("setting {} lacks a key or a value", in_quotes(setting)));
     for (const auto& [earlier, ignored] : spec.settings)
       if (earlier == key) throw usage(fmt::format("key '{}' is given twice", key));
     spec.settings.emplace_back(key, value);
@@ -107,7 +107,7 @@ Options::Options(Spec spec, std::span<const OptionKey> keys) : spec_(std::move(s
     const auto key =
         std::find_if(keys.begin(), keys.end(), [&](const OptionKey& k) { return k.name == name; });
     if (key == keys.end())
-      throw UsageError(fmt::format("{}: unknown key {} = {}{}", spec_.name, quoted(name), quoted(value),
+      throw UsageError(fmt::format("{}: unknown key {} = {}{}", spec_.name, in_quotes(name), in_quotes(value),
                                    suggestion(name, names)));
     check(spec_.name, *key, value);
   }

@@ -29,6 +29,11 @@ const char* kind_of(std::filesystem::file_type type) noexcept {
 
 }  // namespace
 
+bool is_regular_file(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 void require_regular_file(const std::string& path, std::uintmax_t most) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -88,7 +93,7 @@ std::string_view trimmed(std::string_view text) noexcept {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::string quoted(std::string_view value) {
+std::string in_quotes(std::string_view value) {
   constexpr std::size_t longest = 60;
   std::string out = "'";
   for (const char c : value.substr(0, longest)) {

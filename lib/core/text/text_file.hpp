@@ -15,6 +15,9 @@ inline constexpr std::uintmax_t largest_data_file = std::uintmax_t{1} << 35;
 /// no beginning for the second look, and either would be waited for in vain.
 void require_regular_file(const std::string& path, std::uintmax_t most = largest_data_file);
 
+/// True where `path` names a regular file; a link to one counts.
+[[nodiscard]] bool is_regular_file(const std::string& path);
+
 /// Reads a whole file: unpacked where it is gzipped, as UTF-8 where it is UTF-16, without byte order mark.
 /// Throws InputError for a missing or unreadable file, and anything but a regular file of at most `most`
 /// bytes, packed or unpacked.
@@ -41,6 +44,6 @@ class LineReader {
 [[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;
 
 /// A value as an error message quotes it: control characters escaped, long ones cut.
-[[nodiscard]] std::string quoted(std::string_view value);
+[[nodiscard]] std::string in_quotes(std::string_view value);
 
 }  // namespace superstep

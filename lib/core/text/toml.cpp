@@ -20,7 +20,7 @@ constexpr std::size_t largest_case_file = 4u
                                           << 20;  // bytes; a case names its data files, it does not hold them
 
 std::string shown_node(const toml::node& node) {
-  if (const auto* text = node.as_string()) return quoted(text->get());
+  if (const auto* text = node.as_string()) return in_quotes(text->get());
   if (node.is_table()) return "a table";
   if (node.is_array()) return "an array";
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
@@ -65,8 +65,8 @@ void collect(const toml::node& node, const std::string& path, std::vector<TomlTa
     add("string " + text->get(), text->get());
   } else if (const auto* whole = node.as_integer()) {
     const auto number = static_cast<double>(whole->get());
-    add(static_cast<std::int64_t>(number) == whole->get() ? fmt::format("number {:a}", number)
-                                                          : fmt::format("integer {}", whole->get()));
+    const bool is_exact = number < 0x1p63 && static_cast<std::int64_t>(number) == whole->get();
+    add(is_exact ? fmt::format("number {:a}", number) : fmt::format("integer {}", whole->get()));
   } else if (const auto* number = node.as_floating_point()) {
     add(fmt::format("number {:a}", number->get()));
   } else if (const auto* truth = node.as_boolean()) {
@@ -100,7 +100,7 @@ struct TomlDocument {
   [[noreturn]] void reject_key(const toml::key& key, const std::string& path,
                                std::span<const std::string> valid) const {
     const std::string name(key.str());
-    throw InputError(fmt::format("{}: unknown key {}{}{}", place(key.source()), quoted(name), in(path),
+    throw InputError(fmt::format("{}: unknown key {}{}{}", place(key.source()), in_quotes(name), in(path),
                                  suggestion(name, valid)));
   }
 };

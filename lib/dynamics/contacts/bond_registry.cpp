@@ -18,7 +18,7 @@ BondedPair pair_of(const BondSurroundings& around, const ContactTable& table, st
   return {.strain = strain,
           .temperature = temperature,
           .pressure = strain < 0 ? softened(around.contact.stiffness, around.contact.softening, temperature) *
-                                       strain_power(-strain, around.contact.exponent)
+                                       strain_power(-strain, around.contact.exponent) * table.hardness[k]
                                  : 0,
           .mobility = around.mobility.empty() ? 1 : around.mobility[i] * around.mobility[j],
           .contact_area = table.area[k],
@@ -57,7 +57,7 @@ void act(const BondSurroundings& around, BondArrays& bonds, ContactTable& table,
 
 template <class Law>
 constexpr BondKind kind(BondRule rule) {
-  return {rule, Law::name, Law::grows, &Law::margin, &act<Law>};
+  return {rule, Law::name, Law::smooth, Law::grows, &Law::margin, &act<Law>};
 }
 
 constexpr std::array kinds = {

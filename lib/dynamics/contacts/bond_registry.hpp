@@ -43,6 +43,7 @@ struct BondSurroundings {
 struct BondKind {
   BondRule rule;
   std::string_view name;  ///< in case files
+  bool smooth;            ///< no jump of the force when bonds form or break
   bool grows;             ///< has a neck that needs temperatures
   /// > 0 while the pair stays as it is; <= 0 forms a bond, < 0 breaks it.
   double (*margin)(const BondLaw&, double strain, BondMemory, bool bonded);

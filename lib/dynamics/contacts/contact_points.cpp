@@ -26,8 +26,13 @@ bool before(const Pair& a, std::int32_t i, std::int32_t j) noexcept {
 
 }  // namespace
 
-ContactPoints::ContactPoints(const BondLaw& law, double skin, const Particles& particles)
-    : law_(law), kind_(bond_kind(law.rule)), particles_(particles), table_skin_(skin / 8), list_(skin) {}
+ContactPoints::ContactPoints(const BondLaw& law, double skin, const Particles& particles, double conductivity)
+    : law_(law),
+      kind_(bond_kind(law.rule)),
+      particles_(particles),
+      conductivity_(conductivity),
+      table_skin_(skin / 8),
+      list_(skin) {}
 
 void ContactPoints::place(std::span<const Vec3> position) {
   const bool listed = list_.update(position, particles_.radius);
@@ -52,6 +57,10 @@ void ContactPoints::pick(std::span<const Vec3> position) {
     table_.square[k] = r_i * r_i;
     table_.square_difference[k] = r_j * r_j - r_i * r_i;
     table_.reduced_mass[k] = m_i * m_j / (m_i + m_j);
+    const double h_i = value_of(particles_.hardness, at(i), 1), h_j = value_of(particles_.hardness, at(j), 1);
+    table_.hardness[k] = 2 * h_i * h_j / (h_i + h_j);
+    table_.conductivity[k] = 0.5 * (value_of(particles_.conductivity, at(i), conductivity_) +
+                                    value_of(particles_.conductivity, at(j), conductivity_));
     ++k;
   };
   std::size_t b = 0;
@@ -146,14 +155,15 @@ std::span<const ContactPoint> ContactPoints::points() const {
     // A NaN passes: its force shows which particle it came from.
     if (table_.strain[k] >= 0 && !bonded) continue;
     const double distance = table_.radius_sum[k] * (1 + table_.strain[k]);
-    points_.push_back({table_.i[k],
-                       table_.j[k],
-                       {table_.nx[k], table_.ny[k], table_.nz[k]},
-                       table_.strain[k],
-                       table_.flow[k] * distance,
-                       distance,
-                       table_.radius_sum[k],
-                       bonded});
+    points_.push_back({.i = table_.i[k],
+                       .j = table_.j[k],
+                       .normal = {table_.nx[k], table_.ny[k], table_.nz[k]},
+                       .strain = table_.strain[k],
+                       .area = table_.flow[k] * distance,
+                       .distance = distance,
+                       .radius_sum = table_.radius_sum[k],
+                       .conductivity = table_.conductivity[k],
+                       .bonded = bonded});
   }
   points_stand_ = true;
   return points_;

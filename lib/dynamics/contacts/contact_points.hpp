@@ -15,11 +15,12 @@ namespace superstep::dynamics {
 /// A pair that acts on each other: in contact, or held together by a bond.
 struct ContactPoint {
   std::int32_t i, j;
-  Vec3 normal;        ///< from i to j
-  double strain;      ///< E < 0 in contact
-  double area;        ///< that conducts: of the contact, or of the bond where that is larger [m2]
-  double distance;    ///< of the centres [m]
-  double radius_sum;  ///< m
+  Vec3 normal;          ///< from i to j
+  double strain;        ///< E < 0 in contact
+  double area;          ///< that conducts: of the contact, or of the bond where that is larger [m2]
+  double distance;      ///< of the centres [m]
+  double radius_sum;    ///< m
+  double conductivity;  ///< of heat [W/(m K)]
   bool bonded;
 };
 
@@ -31,7 +32,8 @@ struct ContactPoint {
 class ContactPoints {
  public:
   /// Keeps a reference to the particles.
-  ContactPoints(const BondLaw& law, double skin, const Particles& particles);
+  ///   conductivity  of heat, where the particles do not say [W/(m K)]
+  ContactPoints(const BondLaw& law, double skin, const Particles& particles, double conductivity = 0);
 
   /// Contacts of these positions, sorted by (i, j), whatever the lists behind them: results do not depend on
   /// when they were built. Bonds do not act yet.
@@ -63,6 +65,7 @@ class ContactPoints {
   BondLaw law_;
   const BondKind& kind_;
   const Particles& particles_;
+  double conductivity_;
   double table_skin_;
   NeighbourList list_;
   ContactTable table_;

@@ -48,8 +48,8 @@ SUPERSTEP_CLONES void place_block(const Place& out, const double* x, const doubl
 void ContactTable::resize(std::size_t pairs) {
   i.resize(pairs);
   j.resize(pairs);
-  for (auto* values : {&radius_sum, &square, &square_difference, &reduced_mass, &nx, &ny, &nz, &strain, &area,
-                       &flow, &keep, &pull, &damping})
+  for (auto* values : {&radius_sum, &square, &square_difference, &reduced_mass, &hardness, &conductivity, &nx,
+                       &ny, &nz, &strain, &area, &flow, &keep, &pull, &damping})
     values->resize(pairs);
 }
 

@@ -16,6 +16,8 @@ struct ContactTable {
   std::vector<double> square;             ///< r_i^2 [m2]
   std::vector<double> square_difference;  ///< r_j^2 - r_i^2 [m2]
   std::vector<double> reduced_mass;       ///< kg
+  std::vector<double> hardness;           ///< harmonic mean of the two: one after the other
+  std::vector<double> conductivity;       ///< of heat, mean of the two [W/(m K)]
   // Of the instant. Pairs that do not touch have area 0.
   std::vector<double> nx, ny, nz;  ///< unit vector from i to j
   std::vector<double> strain;      ///< E, < 0 in contact

@@ -15,7 +15,7 @@ using Block = std::array<double, pairs_per_block>;
 
 /// Pointers to one block of the table, of what was gathered, and of the forces.
 struct Pairs {
-  const double *nx, *ny, *nz, *strain, *area, *sum, *mass, *keep, *pull, *bond_damping;
+  const double *nx, *ny, *nz, *strain, *area, *sum, *mass, *hardness, *keep, *pull, *bond_damping;
   const double *vx, *vy, *vz, *temperature;
   const double* power;  // |E|^p where p is neither 1 nor 2
   double *x, *y, *z;
@@ -42,7 +42,7 @@ template <Power power>
                             : power == Power::one ? overlap
                                                   : p.power[k];
     const double soft = larger(stiffness * (1 - p.temperature[k] * per_kelvin), floor);
-    const double push = soft * strained * p.area[k];
+    const double push = soft * p.hardness[k] * strained * p.area[k];
     const double parting = p.vx[k] * p.nx[k] + p.vy[k] * p.ny[k] + p.vz[k] * p.nz[k];
     constexpr double tiny = 1e-300;  // 0/0 of a pair that just does not touch
     const double stiff = slope * push / (overlap * p.sum[k] + tiny);
@@ -87,6 +87,7 @@ void pair_forces(const ContactLaw& law, const ContactTable& table, std::span<con
                       &table.area[begin],
                       &table.radius_sum[begin],
                       &table.reduced_mass[begin],
+                      &table.hardness[begin],
                       &table.keep[begin],
                       &table.pull[begin],
                       &table.damping[begin],

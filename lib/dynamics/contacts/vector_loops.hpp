@@ -3,8 +3,10 @@
 
 #include <cstddef>
 
-/// Also compiled for AVX2, chosen when the program starts. Without FMA, so that both give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+/// Also compiled for AVX2, chosen when the program starts. Without FMA, so that both give the same bits. The
+/// choice runs before sanitizers are ready.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define SUPERSTEP_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define SUPERSTEP_CLONES

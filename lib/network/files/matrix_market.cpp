@@ -47,12 +47,12 @@ class Reader {
       fail("the first line must be %%MatrixMarket matrix coordinate|array real|integer general|symmetric");
     matrix_.is_dense = word(2) == "array";
     if (!matrix_.is_dense && word(2) != "coordinate")
-      fail(fmt::format("layout is {}; it must be coordinate or array", quoted(word(2))));
+      fail(fmt::format("layout is {}; it must be coordinate or array", in_quotes(word(2))));
     if (word(3) != "real" && word(3) != "integer")
-      fail(fmt::format("entries are {}; they must be real or integer numbers", quoted(word(3))));
+      fail(fmt::format("entries are {}; they must be real or integer numbers", in_quotes(word(3))));
     matrix_.is_symmetric = word(4) == "symmetric";
     if (!matrix_.is_symmetric && word(4) != "general")
-      fail(fmt::format("symmetry is {}; it must be general or symmetric", quoted(word(4))));
+      fail(fmt::format("symmetry is {}; it must be general or symmetric", in_quotes(word(4))));
   }
   bool next_row() {
     while (lines_.next()) {
@@ -68,20 +68,21 @@ class Reader {
     const std::int64_t most =
         is_count_of_entries ? std::int64_t{1} << 40 : std::numeric_limits<std::int32_t>::max();
     if (!value || *value < (is_count_of_entries ? 0 : 1) || *value > most)
-      fail(fmt::format("sizes are {}; they must be counts: rows columns{}", quoted(lines_.line()),
+      fail(fmt::format("sizes are {}; they must be counts: rows columns{}", in_quotes(lines_.line()),
                        matrix_.is_dense ? "" : " entries"));
     return static_cast<std::size_t>(*value);
   }
   [[nodiscard]] std::int32_t place(std::size_t k, std::size_t most) const {
     const auto value = parse_integer(cells_[k]);
     if (!value || *value < 1 || *value > static_cast<std::int64_t>(most))
-      fail(fmt::format("position {} must lie between 1 and {}", quoted(cells_[k]), most));
+      fail(fmt::format("position {} must lie between 1 and {}", in_quotes(cells_[k]), most));
     return static_cast<std::int32_t>(*value - 1);
   }
   [[nodiscard]] double value(std::size_t k) const {
     const auto number = parse_number(cells_[k]);
     if (!number)
-      fail(fmt::format("entry is {}; it must be a finite decimal number such as 1.5e-3", quoted(cells_[k])));
+      fail(fmt::format("entry is {}; it must be a finite decimal number such as 1.5e-3",
+                       in_quotes(cells_[k])));
     return *number;
   }
   void read_coordinates() {

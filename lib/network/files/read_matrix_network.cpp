@@ -157,7 +157,15 @@ NetworkInput network_of(const Origin& origin, MatrixMarket matrix, MatrixKind ki
 }  // namespace
 
 NetworkInput read_matrix_network(const std::string& file, MatrixKind kind, double ambient) {
-  return network_of({file, true}, read_matrix_market(file), kind, ambient);
+  MatrixMarket matrix = read_matrix_market(file);
+  // A few bytes must not ask for all the memory there is.
+  constexpr std::size_t allowance = 1000;
+  if (matrix.rows > 2 * matrix.entries.size() + allowance)
+    throw InputError(fmt::format(
+        "{}: has {} rows and {} entries, so that most nodes touch nothing; check its sizes, or leave these "
+        "nodes out",
+        file, matrix.rows, matrix.entries.size()));
+  return network_of({file, true}, std::move(matrix), kind, ambient);
 }
 
 NetworkInput network_of_matrix(const std::string& name, MatrixMarket matrix, MatrixKind kind,

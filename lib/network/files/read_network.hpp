@@ -40,8 +40,8 @@ enum class MatrixKind { automatic, laplacian, conductance };
 [[nodiscard]] NetworkInput network_of_matrix(const std::string& name, MatrixMarket matrix, MatrixKind kind,
                                              double ambient);
 
-/// A pore network as OpenPNM writes it to CSV: throats join the pores `throat.conns[0]` and
-/// `throat.conns[1]`, pores are called 0, 1, ....
+/// A pore network as OpenPNM writes it: to CSV, where throats join the pores `throat.conns[0]` and
+/// `throat.conns[1]`, or to VTP, where they are the lines. Pores are called 0, 1, ....
 struct PoreNetwork {
   NetworkInput input;
   std::vector<std::pair<std::string, std::vector<char>>>

@@ -6,7 +6,8 @@
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/number.hpp"
-#include "network/files/read_network.hpp"
+#include "network/files/pores.hpp"
+#include "packing/formats/vtk/vtk_xml.hpp"
 
 namespace superstep {
 namespace {
@@ -45,7 +46,7 @@ double number(const DelimitedTable& table, std::size_t column) {
   const auto value = parse_number(table.cells()[column]);
   if (!value)
     throw InputError(fmt::format("{}: column '{}' is {}; it must be a finite decimal number", table.where(),
-                                 table.names()[column], quoted(table.cells()[column])));
+                                 table.names()[column], in_quotes(table.cells()[column])));
   return *value;
 }
 
@@ -53,15 +54,9 @@ std::int64_t pore(const DelimitedTable& table, std::size_t column) {
   const auto value = parse_whole_number(table.cells()[column]);
   if (!value || *value < 0)
     throw InputError(fmt::format("{}: column '{}' is {}; it must be the number of a pore, counted from 0",
-                                 table.where(), table.names()[column], quoted(table.cells()[column])));
+                                 table.where(), table.names()[column], in_quotes(table.cells()[column])));
   return *value;
 }
-
-struct Throat {
-  std::int64_t i, j;
-  double conductance;
-  std::size_t line;
-};
 
 /// Columns of pores that hold True and False.
 struct Labels {
@@ -89,11 +84,8 @@ struct Labels {
   }
 };
 
-}  // namespace
-
-PoreNetwork read_openpnm(const std::string& file, const std::string& conductance,
-                         const std::string& capacity) {
-  const std::string text = read_text_file(file);
+PoreNetwork pores_of_table(const std::string& file, const std::string& text, const std::string& conductance,
+                           const std::string& capacity) {
   DelimitedTable table(file, text);
   const std::size_t first = need(table, "throat.conns[0]"), second = need(table, "throat.conns[1]"),
                     position = need(table, "pore.coords[0]"), value = need(table, conductance),
@@ -105,33 +97,23 @@ PoreNetwork read_openpnm(const std::string& file, const std::string& conductance
   while (table.next()) {  // columns of pores and of throats stand side by side, the shorter ones padded
     if (!is_gap(table.cells()[position])) {
       capacities.push_back(size == none ? 1.0 : number(table, size));
-      if (!(capacities.back() >= 0))
-        throw InputError(
-            fmt::format("{}: {} is {}; a capacity must be >= 0", table.where(), capacity, capacities.back()));
       labels.add(table);
     }
     if (is_gap(table.cells()[first])) continue;
     throats.push_back({pore(table, first), pore(table, second), number(table, value), table.line()});
-    if (!(throats.back().conductance >= 0))
-      throw InputError(fmt::format("{}: {} is {}; it must be >= 0", table.where(), conductance,
-                                   throats.back().conductance));
   }
   labels.drop_what_is_none();
-  if (capacities.empty()) throw InputError(fmt::format("{}: has no pores; at least one is needed", file));
-  network.input.graph = equal_nodes(capacities.size());
-  network.input.graph.capacity = capacities;
-  const auto pores = static_cast<std::int64_t>(capacities.size());
-  for (const auto& throat : throats) {
-    if (throat.i >= pores || throat.j >= pores || throat.i == throat.j)
-      throw InputError(fmt::format("{}:{}: throat joins pores {} and {}; they must be two of the {} pores",
-                                   file, throat.line, throat.i, throat.j, pores));
-    add_edge(network.input.graph, static_cast<std::size_t>(throat.i), static_cast<std::size_t>(throat.j),
-             throat.conductance);
-  }
-  if (const auto joined = join_parallel_edges(network.input.graph); joined > 0)
-    network.input.notes.push_back(fmt::format(
-        "{}: {} throats run parallel to others, and their conductances are summed", file, joined));
+  join_pores(file, capacities, throats, network);
   return network;
+}
+
+}  // namespace
+
+PoreNetwork read_openpnm(const std::string& file, const std::string& conductance,
+                         const std::string& capacity) {
+  const std::string text = read_text_file(file);
+  if (is_vtk_xml(text)) return pores_of_vtk(file, text, conductance, capacity);
+  return pores_of_table(file, text, conductance, capacity);
 }
 
 }  // namespace superstep

@@ -53,7 +53,7 @@ AtomLayout hybrid(const Names& styles, const std::string& where) {
           fmt::format("{}: atom style is {}, whose columns are not known here; declare them all, as in "
                       "[packing] columns = [\"id\", \"type\", \"x\", \"y\", \"z\", \"diameter\", "
                       "\"density\"]",
-                      where, quoted(style)));
+                      where, in_quotes(style)));
     layout.style += " " + style;
     layout.columns.insert(layout.columns.end(), part->second.begin(), part->second.end());
   }
@@ -103,7 +103,7 @@ AtomLayout atom_layout(const std::string& style, const std::string& where) {
   throw InputError(fmt::format(
       "{}: atom style is {}; it must be sphere or granular, bpm/sphere, or a hybrid that holds one of them, "
       "which know diameters; write the data file with one of these, or declare [packing] columns",
-      where, quoted(style)));
+      where, in_quotes(style)));
 }
 
 std::vector<AtomLayout> atom_layouts(std::size_t columns, bool hybrid_only) {

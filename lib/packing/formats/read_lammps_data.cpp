@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <optional>
+#include <unordered_map>
 
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
@@ -55,9 +57,10 @@ struct DataHead {
   std::int64_t atoms = 0, types = 0;
   std::optional<Cell> cell;
   std::optional<StatedUnit> unit;
-  std::string style;    ///< behind "Atoms #"
-  std::string place;    ///< of the heading
-  LineReader rows{""};  ///< before the first of them
+  std::string style;                     ///< behind "Atoms #"
+  std::string place;                     ///< of the heading
+  LineReader rows{""};                   ///< before the first of them
+  std::optional<LineReader> velocities;  ///< the same of section Velocities
 };
 
 void read_header_line(const TextRow& row, Cell& cell, DataHead& head) {
@@ -113,6 +116,7 @@ DataHead read_head(const PackingFile& file) {
     if (row.size() == 0) continue;
     if (is_heading(row)) {
       in_section = true;
+      if (row.size() == 1 && row[0] == "Velocities") head.velocities = lines;
       if (row.size() != 1 || row[0] != "Atoms") continue;
       if (!head.place.empty())
         throw InputError(fmt::format("{}: section 'Atoms' stands twice; keep one", row.where()));
@@ -127,10 +131,9 @@ DataHead read_head(const PackingFile& file) {
   return head;
 }
 
-/// Calls each(row) for every row of section Atoms; returns the last line looked at.
+/// Calls each(row) for every row of the section that `lines` stands before; returns the last line looked at.
 template <class Each>
-std::size_t for_atoms(const PackingFile& file, const DataHead& head, Each each) {
-  LineReader lines = head.rows;
+std::size_t for_rows(const PackingFile& file, LineReader lines, Each each) {
   TextRow row(file.path);
   while (lines.next()) {
     row.split(without_comment(lines.line()), lines.number());
@@ -139,6 +142,28 @@ std::size_t for_atoms(const PackingFile& file, const DataHead& head, Each each) 
     each(row);
   }
   return lines.number();
+}
+
+/// Section Velocities, id vx vy vz and whatever follows, as attributes of the particles.
+void read_velocities(const PackingFile& file, const LineReader& lines, Packing& packing) {
+  std::unordered_map<std::int64_t, std::size_t> place;
+  for (std::size_t k = 0; k < packing.size(); ++k) place.emplace(packing.id[k], k);
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  for (const char* name : {"vx", "vy", "vz"})
+    packing.attributes.push_back({name, std::vector<double>(packing.size(), gap)});
+  const auto first = packing.attributes.end() - 3;
+  for_rows(file, lines, [&](const TextRow& row) {
+    if (row.size() < 4) row.require_size(4, "id vx vy vz");
+    const auto found = place.find(row.integer(0, "id"));
+    if (found == place.end())
+      throw InputError(fmt::format("{}: section 'Velocities' names atom {}, which section 'Atoms' has not",
+                                   row.where(), row[0]));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      auto& column = first[static_cast<std::ptrdiff_t>(axis)];
+      column.value[found->second] = row.number(axis + 1, column.name);
+    }
+  });
+  packing.notes.emplace_back("section Velocities is kept as attributes: vx, vy, vz");
 }
 
 /// The order of the columns: as declared, as the file says, or the only one that makes sense of every row.
@@ -150,7 +175,7 @@ AtomLayout choose_layout(const PackingFile& file, const DataHead& head, bool& re
   recognised = true;
   PlausibleLayout plausible(head.cell, head.types, head.style == "hybrid");
   std::size_t first_line = 0;
-  for_atoms(file, head, [&](const TextRow& row) {
+  for_rows(file, head.rows, [&](const TextRow& row) {
     if (first_line == 0) first_line = row.line();
     plausible.look_at(row.cells());
   });
@@ -170,7 +195,7 @@ Packing read(const PackingFile& file) {
                       .unit = head.unit};
   SphereRows rows(file, std::move(sphere));
   const std::string order = fmt::format("{}, and three image flags if any", fmt::join(layout.columns, " "));
-  const std::size_t last = for_atoms(file, head, [&](const TextRow& row) {
+  const std::size_t last = for_rows(file, head.rows, [&](const TextRow& row) {
     if (row.size() != with_image_flags) row.require_size(plain, order);
     rows.add(std::span(row.cells()).first(plain), row.line());
   });
@@ -184,6 +209,7 @@ Packing read(const PackingFile& file) {
       packing.notes.begin(),
       fmt::format("order of the columns: {} (atom style {}{})", fmt::join(layout.columns, " "), layout.style,
                   recognised ? ", the only one that fits every row" : ""));
+  if (head.velocities) read_velocities(file, *head.velocities, packing);
   if (head.cell && file.options.periodic == "auto")
     packing.notes.push_back(
         "a data file does not say whether its box is periodic: taken as open; periodic = \"xyz\" "

@@ -63,7 +63,7 @@ std::optional<StatedUnit> stated_unit(const PackingFile& file) {
     throw InputError(
         fmt::format("{}:{}: the units are {}, which is no unit style of LAMMPS; mend the line, or remove it "
                     "and give length_unit",
-                    file.path, line + 1, quoted(style)));
+                    file.path, line + 1, in_quotes(style)));
   return StatedUnit{*metres, fmt::format("units {}, as line {} says", style, line + 1)};
 }
 

@@ -69,7 +69,7 @@ std::vector<std::string> property_names(const std::string& properties, const std
       throw InputError(
           fmt::format("{}: Properties is {}; it must be triples of name, kind and number of columns, as in "
                       "species:S:1:pos:R:3:radius:R:1",
-                      place, quoted(properties)));
+                      place, in_quotes(properties)));
     for (std::int64_t c = 0; c < *count; ++c)
       names.push_back(*count == 1 ? parts[k] : fmt::format("{}:{}", parts[k], c));
   }

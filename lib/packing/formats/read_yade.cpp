@@ -48,7 +48,7 @@ YadeColumns parse_format(const TextRow& line) {
       throw InputError(
           fmt::format("{}: format is {}; it must hold x, y, z and r, as in x_y_z_r, x_y_z_r_matId, "
                       "x_y_z_r_clumpId or x_y_z_r_attrs; export the packing as one of these",
-                      line.where(), quoted(line.size() > 1 ? line[1] : std::string_view{})));
+                      line.where(), in_quotes(line.size() > 1 ? line[1] : std::string_view{})));
   return columns;
 }
 

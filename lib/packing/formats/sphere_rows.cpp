@@ -43,7 +43,7 @@ std::optional<std::int64_t> whole(double value) {
 }
 
 std::string shown(std::string_view cell) {
-  return quoted(cell);
+  return in_quotes(cell);
 }
 std::string shown(double value) {
   return fmt::format("'{}'", value);

@@ -40,7 +40,7 @@ std::array<bool, 3> periodic_edges(const std::string& word, const std::string& w
     const auto axis = std::string_view("xyz").find(c);
     if (axis == std::string_view::npos || edges[axis])
       throw InputError(fmt::format("{}: periodic is {}; it must be auto, none, or axes such as x, xy, xyz",
-                                   where, quoted(word)));
+                                   where, in_quotes(word)));
     edges[axis] = true;
   }
   if (word.empty())

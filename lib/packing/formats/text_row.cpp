@@ -39,7 +39,7 @@ double TextRow::number(std::size_t k, std::string_view name) const {
   const auto value = parse_number(cells_[k]);
   if (!value)
     throw InputError(fmt::format("{}: column '{}' is {}; it must be a finite decimal number such as 1.5e-3",
-                                 where(), name, quoted(cells_[k])));
+                                 where(), name, in_quotes(cells_[k])));
   return *value;
 }
 
@@ -47,7 +47,7 @@ std::int64_t TextRow::integer(std::size_t k, std::string_view name) const {
   const auto value = parse_whole_number(cells_[k]);
   if (!value)
     throw InputError(
-        fmt::format("{}: column '{}' is {}; it must be an integer", where(), name, quoted(cells_[k])));
+        fmt::format("{}: column '{}' is {}; it must be an integer", where(), name, in_quotes(cells_[k])));
   return *value;
 }
 

@@ -100,19 +100,19 @@ std::size_t count_for_volume(const SizeDistribution& sizes, double volume, std::
       volume / volume_of_diameters(stratified_diameters(sizes, sample)) * static_cast<double>(sample);
   // The extremes of a wide distribution depend on the count, so correct it by its own volume a few times.
   constexpr int corrections = 8;
-  for (int k = 0; k < corrections; ++k) {
+  for (int k = 0;; ++k) {
     if (!(count <= static_cast<double>(largest_count)))
       throw UsageError(
           fmt::format("packing: it would take {:.3g} spheres; at most {} are allowed: choose a smaller "
                       "container or larger spheres",
                       count, largest_count));
     const double n = std::max(1.0, std::round(count));
+    if (k == corrections) return static_cast<std::size_t>(n);
     const double corrected =
         n * volume / volume_of_diameters(stratified_diameters(sizes, static_cast<std::size_t>(n)));
-    if (std::round(corrected) == n) break;
+    if (std::round(corrected) == n) return static_cast<std::size_t>(n);
     count = corrected;
   }
-  return static_cast<std::size_t>(std::max(1.0, std::round(count)));
 }
 
 double median_for_volume(SizeDistribution sizes, std::size_t n, double volume) {

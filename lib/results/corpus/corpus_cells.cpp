@@ -11,7 +11,6 @@ namespace superstep {
 namespace {
 
 constexpr double levels[] = {1e-2, 1e-4, 1e-6, 1e-8};
-constexpr double bars = 3;  // errors below three error bars of the reference can not be told from it
 
 std::vector<std::string> competitors(const SceneRows& scene) {
   std::vector<std::string> names;
@@ -25,7 +24,7 @@ std::vector<std::string> competitors(const SceneRows& scene) {
 CorpusCell cell_of(const SceneRows& scene, double level) {
   CorpusCell cell{.facts = scene.facts, .level = level, .judged = true, .entrants = {}};
   const Number bar = scene.facts->reference_error;
-  cell.judged = bar && bars * *bar <= level;
+  cell.judged = bar && bars_that_count * *bar <= level;
   if (!cell.judged) return cell;
   for (const auto& name : competitors(scene))
     if (const auto* row =
@@ -106,7 +105,7 @@ std::vector<Regret> regrets_of(std::span<const SceneRows> scenes) {
         if (key == "rtol") regret.rtol = parse_number(value).value_or(0);
       if (!(regret.rtol > 0)) continue;
       const Number bar = row->reference_error;
-      if (!bar || bars * *bar > regret.rtol) continue;  // the reference can not judge it
+      if (!bar || bars_that_count * *bar > regret.rtol) continue;  // the reference can not judge it
       regret.best =
           cheapest_row(scene, regret.rtol, [](const CorpusRow& one) { return one.integrator != "auto"; });
       if (row->error) regret.delivered = *row->error / regret.rtol;

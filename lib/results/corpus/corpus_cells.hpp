@@ -10,6 +10,9 @@
 
 namespace superstep {
 
+/// Errors below so many error bars of the reference can not be told from each other.
+inline constexpr double bars_that_count = 3;
+
 /// The rows of one scene; they belong to whoever holds them.
 struct SceneRows {
   const CorpusRow* facts = nullptr;  ///< any of them: for what they share

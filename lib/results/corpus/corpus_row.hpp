@@ -15,9 +15,11 @@ struct CorpusRow {
   std::uint64_t unknowns = 0;
   double stiffness = 0, contrast = 1;  ///< t_end times spectral radius; largest over smallest rate
   /// What costs are predicted from: "linear", "one-way", "nonlinear", "coupled", or these with "-steady";
-  /// pieces between breakpoints, shapes of inputs, decades between the first output and the last.
+  /// pieces between breakpoints, shapes of inputs, decades between the first output and the last, nonzeros of
+  /// the fields' matrices off their diagonals.
   std::string physics;
   double pieces = 1, shapes = 0, output_decades = 0;
+  std::uint64_t nonzeros = 0;
   // the method; a scene without a reference has one row, of the reference
   std::string spec, integrator, params, status, reason;
   Number cpu;                     ///< s, of preparation and stepping, median of the samples

@@ -106,6 +106,7 @@ const RecordFields<CorpusRow>& fields_of<CorpusRow>() {
       field("pieces", &CorpusRow::pieces, "between the breakpoints of its inputs"),
       field("shapes", &CorpusRow::shapes, "of the inputs that change in time"),
       field("output_decades", &CorpusRow::output_decades, "between the first output and the last"),
+      field("nonzeros", &CorpusRow::nonzeros, "of the fields' matrices off their diagonals"),
   };
   return fields;
 }

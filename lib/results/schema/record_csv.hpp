@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -44,8 +45,9 @@ template <class Record>
       out[column.name] = table.text(row, *at);
     else if (const auto number = table.number(row, *at); !number)
       out[column.name] = nullptr;
-    else if (type == "integer" && *number >= 0 && *number < 0x1p53)
-      out[column.name] = static_cast<std::uint64_t>(*number);
+    else if (type == "integer" && *number >= 0 && *number < 0x1p53 && *number == std::floor(*number))
+      out[column.name] =
+          static_cast<std::uint64_t>(*number);  // what is no count is refused by the reader of the record
     else
       out[column.name] = *number;
   }

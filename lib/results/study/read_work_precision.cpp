@@ -11,8 +11,7 @@ namespace {
 constexpr std::string_view error_prefix = "error_rms_at_";
 
 std::uint64_t count(const CsvTable& table, std::size_t row, const char* column) {
-  const double value = table.number(row, table.column(column)).value_or(0);
-  return value > 0 ? static_cast<std::uint64_t>(value) : 0;
+  return table.count(row, table.column(column)).value_or(0);
 }
 
 WorkPrecisionPoint point_of(const CsvTable& table, std::size_t row) {

@@ -90,7 +90,7 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
   const auto value = parse_number(cell);
   if (!value)
     reject(row, fmt::format("column '{}' is {}; it must be a finite number or empty", columns_[column],
-                            quoted(cell)));
+                            in_quotes(cell)));
   return value;
 }
 
@@ -98,6 +98,25 @@ double CsvTable::required(std::size_t row, std::size_t column) const {
   const auto value = number(row, column);
   if (!value) reject(row, fmt::format("column '{}' is empty", columns_[column]));
   return *value;
+}
+
+std::int64_t CsvTable::whole(std::size_t row, std::size_t column) const {
+  const auto cell = cells_[row * columns_.size() + column];
+  const auto value = parse_whole_number(cell);
+  if (!value)
+    reject(row,
+           fmt::format("column '{}' is {}; it must be a whole number", columns_[column], in_quotes(cell)));
+  return *value;
+}
+
+std::optional<std::uint64_t> CsvTable::count(std::size_t row, std::size_t column) const {
+  const auto cell = cells_[row * columns_.size() + column];
+  if (cell.empty()) return std::nullopt;
+  const auto value = parse_whole_number(cell);
+  if (!value || *value < 0)
+    reject(row, fmt::format("column '{}' is {}; it must be a whole number that is not negative",
+                            columns_[column], in_quotes(cell)));
+  return static_cast<std::uint64_t>(*value);
 }
 
 }  // namespace superstep

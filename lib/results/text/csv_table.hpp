@@ -2,6 +2,7 @@
 /// CSV files that we wrote ourselves, read back: quoted cells, named columns (RFC 4180).
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string>
@@ -31,6 +32,10 @@ class CsvTable {
   [[nodiscard]] std::optional<double> number(std::size_t row, std::size_t column) const;
   /// The same, but an empty cell is an InputError.
   [[nodiscard]] double required(std::size_t row, std::size_t column) const;
+  /// Whole number in a cell; InputError for anything else.
+  [[nodiscard]] std::int64_t whole(std::size_t row, std::size_t column) const;
+  /// The same of one that counts something; empty for an empty cell.
+  [[nodiscard]] std::optional<std::uint64_t> count(std::size_t row, std::size_t column) const;
   /// Throws InputError about a row: "file: row n below the header: rule".
   [[noreturn]] void reject(std::size_t row, const std::string& rule) const;
 

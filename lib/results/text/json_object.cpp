@@ -14,7 +14,7 @@ using Json = JsonObject::Json;
 std::string shown(const Json& value) {
   if (value.is_array()) return "an array";
   if (value.is_object()) return "an object";
-  return superstep::quoted(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return superstep::in_quotes(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace
@@ -113,9 +113,20 @@ std::vector<JsonObject> JsonObject::objects(const std::string& key) const {
   return out;
 }
 
-Json parse_results(const std::string& file, const std::string& schema, int newest) {
-  Json json = Json::parse(read_text_file(file), nullptr, /*allow_exceptions=*/false);
+Json parse_json_file(const std::string& file) {
+  constexpr int deepest = 64;
+  const auto not_too_deep = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest)
+      throw InputError(fmt::format("{}: it is nested deeper than {} levels; write it anew", file, deepest));
+    return true;
+  };
+  Json json = Json::parse(read_text_file(file), not_too_deep, /*allow_exceptions=*/false);
   if (json.is_discarded()) throw InputError(fmt::format("{}: it is not JSON; write it anew", file));
+  return json;
+}
+
+Json parse_results(const std::string& file, const std::string& schema, int newest) {
+  Json json = parse_json_file(file);
   if (!json.is_object() || JsonObject(file, json).text("schema") != schema)
     throw InputError(fmt::format("{}: its schema is not '{}'; give the folder of a result", file, schema));
   const JsonObject root(file, json);

@@ -58,6 +58,10 @@ class JsonObject {
 /// One value as a CSV cell; null is empty.
 [[nodiscard]] std::string csv_cell_of_json(const nlohmann::ordered_json& value);
 
+/// Throws InputError for what is not JSON, or nested deeper than anything that is written here: what walks
+/// through such a value goes as deep into the stack.
+[[nodiscard]] nlohmann::ordered_json parse_json_file(const std::string& file);
+
 /// Parses a results file. Throws InputError unless it is an object with this "schema" and a "schema_version"
 /// up to `newest`.
 [[nodiscard]] nlohmann::ordered_json parse_results(const std::string& file, const std::string& schema,

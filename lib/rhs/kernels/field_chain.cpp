@@ -7,14 +7,13 @@
 namespace superstep {
 namespace {
 
-constexpr std::size_t lanes = SlicedRows::lanes;
 // Blocks of less would be lost in the passing from one to the next.
 constexpr std::size_t smallest_block = 512;  // slices
 
 }  // namespace
 
 SkewedBlocks FieldOperator::chain_blocks() const noexcept {
-  const std::size_t reach = (rate_.reach() + lanes - 1) / lanes;
+  const std::size_t reach = (rate_.reach() + SlicedRows::lanes - 1) / SlicedRows::lanes;
   return {rate_.slices(), reach, smallest_block, threads_for(size())};
 }
 
@@ -51,11 +50,12 @@ void FieldOperator::pass_together(std::span<ChainedStage> stages, std::size_t fi
   };
   const auto work = [&](std::size_t pass, std::size_t first, std::size_t last) {
     fused_sweep(rate_, stages[pass].stage, first, last, stages[pass].out);
-    finish(pass, first * lanes, std::min(last * lanes, size()));
+    finish(pass, first * SlicedRows::lanes, std::min(last * SlicedRows::lanes, size()));
   };
   const auto watch = [&](std::size_t pass, std::size_t first, std::size_t last) {
     if (with_inflow)
-      add_inflow(stages[pass].t, stages[pass].stage.y1, first * lanes, last * lanes, inflow[pass]);
+      add_inflow(stages[pass].t, stages[pass].stage.y1, first * SlicedRows::lanes, last * SlicedRows::lanes,
+                 inflow[pass]);
   };
   if (stages.size() == 1) {
     watch(0, 0, rate_.slices());

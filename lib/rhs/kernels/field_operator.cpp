@@ -56,6 +56,7 @@ FieldOperator::FieldOperator(Network network, bool keep_network)
       rate_(boundary_ ? boundary_->interior_rows(network_) : SlicedRows(network_.row_begin, network_.column)),
       ghost_value_(network_.ghost_value),
       inputs_(network_.tables) {
+  facts_.nonzeros = network_.nonzeros();
   if (!keep_network) free_list(network_.column);  // before values take their room
   set_conductances(network_.conductance, {});
   if (!keep_network) forget_pattern();

@@ -113,7 +113,7 @@ SUPERSTEP_LAW(avx2, 4, SUPERSTEP_AVX2)
 SUPERSTEP_LAW(avx512, 8, SUPERSTEP_AVX512)
 #endif
 
-LawKernel kernel_of(InstructionSet set) noexcept {
+LawKernel law_kernel(InstructionSet set) noexcept {
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::avx512:
@@ -132,7 +132,7 @@ constexpr std::size_t most_segments = 32;
 }  // namespace
 
 std::span<const LawKernel> law_kernels() noexcept {
-  static const KernelList<LawKernel> kernels(kernel_of);
+  static const KernelList<LawKernel> kernels(law_kernel);
   return kernels.all();
 }
 

@@ -142,7 +142,7 @@ SUPERSTEP_KERNELS(avx2, 4, SUPERSTEP_AVX2)
 SUPERSTEP_KERNELS(avx512, 8, SUPERSTEP_AVX512)
 #endif
 
-SweepKernel kernel_of(InstructionSet set) noexcept {
+SweepKernel sweep_kernel(InstructionSet set) noexcept {
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::avx512:
@@ -158,7 +158,7 @@ SweepKernel kernel_of(InstructionSet set) noexcept {
 }  // namespace
 
 std::span<const SweepKernel> sweep_kernels() noexcept {
-  static const KernelList<SweepKernel> kernels(kernel_of);
+  static const KernelList<SweepKernel> kernels(sweep_kernel);
   return kernels.all();
 }
 

@@ -214,7 +214,7 @@ SUPERSTEP_VARYING(harmonic_avx512, Harmonic, 8, SUPERSTEP_AVX512)
 SUPERSTEP_VARYING(arithmetic_avx512, Arithmetic, 8, SUPERSTEP_AVX512)
 #endif
 
-VaryingKernel kernel_of(InstructionSet set) noexcept {
+VaryingKernel varying_kernel(InstructionSet set) noexcept {
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::avx512:
@@ -232,7 +232,7 @@ VaryingKernel kernel_of(InstructionSet set) noexcept {
 }  // namespace
 
 std::span<const VaryingKernel> varying_kernels() noexcept {
-  static const KernelList<VaryingKernel> kernels(kernel_of);
+  static const KernelList<VaryingKernel> kernels(varying_kernel);
   return kernels.all();
 }
 

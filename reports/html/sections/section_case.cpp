@@ -27,8 +27,11 @@ void add(Facts& facts, const std::string& name, const Number& value, const std::
   if (value) facts.emplace_back(name, number_text(*value, digits) + (unit.empty() ? "" : " " + unit));
 }
 
+/// Of a file that somebody may have written by hand: what no count can be is shown as it is.
 std::string count_of(const Number& value) {
-  return count_text(static_cast<std::uint64_t>(std::max(0.0, value.value_or(0))));
+  const double number = value.value_or(0);
+  return number >= 0 && number < 0x1p63 ? count_text(static_cast<std::uint64_t>(number))
+                                        : number_text(number);
 }
 
 void add_packing(Facts& facts, const Json& packing) {

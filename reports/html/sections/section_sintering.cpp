@@ -34,8 +34,8 @@ double springback(const MotionInput& motion) {
   return motion.largest_fraction > 0 ? 1 - motion.phases.back().volume_fraction / motion.largest_fraction : 0;
 }
 
-double most_bonds(const MotionInput& motion) {
-  double most = 0;
+std::uint64_t most_bonds(const MotionInput& motion) {
+  std::uint64_t most = 0;
   for (const auto& phase : motion.phases) most = std::max(most, phase.bonds);
   return most;
 }
@@ -110,9 +110,7 @@ std::string phase_table(const MotionInput& motion) {
                    {"contacts", "at the end of the phase"},
                    {"steps", "accepted during the phase"}},
                   false);
-  const auto count_cell = [](double value) {
-    return HtmlTable::Cell{.text = count_text(static_cast<std::uint64_t>(std::max(0.0, value)))};
-  };
+  const auto count_cell = [](std::uint64_t value) { return HtmlTable::Cell{.text = count_text(value)}; };
   for (const auto& phase : motion.phases)
     table.add_row({{.text = phase.name, .kind = "strong"},
                    number_cell(Number(phase.begin)),
@@ -124,7 +122,7 @@ std::string phase_table(const MotionInput& motion) {
                    number_cell(Number(phase.largest_wall_force)),
                    count_cell(phase.bonds),
                    count_cell(phase.contacts),
-                   count_cell(static_cast<double>(phase.steps))});
+                   count_cell(phase.steps)});
   return table.html();
 }
 
@@ -144,7 +142,7 @@ std::string outcome_of(const RunInput& run) {
                                                       number_text(motion.largest_fraction_at, 4))},
               {"volume fraction at the end", number_text(last.volume_fraction, 4)},
               {"springback: lost of the largest volume fraction", percent_text(springback(motion))},
-              {"bonds at the end", count_text(static_cast<std::uint64_t>(last.bonds))},
+              {"bonds at the end", count_text(last.bonds)},
               {"steps, restarted ones", count_text(record.steps) + ", " + count_text(record.rejected)},
               {"CPU time of stepping", number_text(record.cpu_stepping) + " s"}});
 }
@@ -185,8 +183,8 @@ std::string comparison_table(const Runs& runs) {
                    number_cell(Number(motion.largest_fraction), 4),
                    number_cell(Number(last.volume_fraction), 4),
                    number_cell(Number(100 * springback(motion))),
-                   number_cell(Number(most_bonds(motion)), 6),
-                   number_cell(Number(last.bonds), 6),
+                   number_cell(Number(static_cast<double>(most_bonds(motion))), 6),
+                   number_cell(Number(static_cast<double>(last.bonds)), 6),
                    number_cell(Number(last.mean_temperature), 4),
                    number_cell(Number(run->record.cpu_stepping))});
   }

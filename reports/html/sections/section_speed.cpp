@@ -58,7 +58,9 @@ std::map<double, std::vector<Measured>, std::greater<>> sts_runs(const BenchCase
   std::map<double, std::vector<Measured>, std::greater<>> runs;
   for (const auto& row : one.rows) {
     const auto n = parameter(row, "n"), nu = parameter(row, "nu");
-    if (row.integrator == "sts" && n && nu && row.speedup_stepping) runs[*nu].push_back({*n, &row});
+    constexpr double most = 10000;  // of any run; a file may say anything
+    if (row.integrator == "sts" && n && *n >= 1 && *n <= most && nu && row.speedup_stepping)
+      runs[*nu].push_back({*n, &row});
   }
   for (auto& [nu, list] : runs)
     std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.n < b.n; });

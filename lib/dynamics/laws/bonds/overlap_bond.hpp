@@ -12,6 +12,7 @@ namespace superstep::dynamics {
 
 struct OverlapBond {
   static constexpr const char* name = "overlap";
+  static constexpr bool smooth = false;
   static constexpr bool grows = false;
 
   [[nodiscard]] static double margin(const BondLaw& law, double strain, BondMemory, bool bonded) noexcept {

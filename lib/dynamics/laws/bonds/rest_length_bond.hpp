@@ -25,6 +25,7 @@ namespace superstep::dynamics {
 
 struct RestLengthBond {
   static constexpr const char* name = "rest-length";
+  static constexpr bool smooth = true;
   static constexpr bool grows = true;
 
   [[nodiscard]] static double margin(const BondLaw& law, double strain, BondMemory memory,

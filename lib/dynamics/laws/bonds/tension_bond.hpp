@@ -12,6 +12,7 @@ namespace superstep::dynamics {
 
 struct TensionBond {
   static constexpr const char* name = "tension";
+  static constexpr bool smooth = false;
   static constexpr bool grows = false;
 
   [[nodiscard]] static double margin(const BondLaw& law, double strain, BondMemory, bool bonded) noexcept {
@@ -24,7 +25,7 @@ struct TensionBond {
     const double pull =
         softened(law.stiffness, law.softening, pair.temperature) * strain_power(strain, law.exponent) * area;
     return {.pull = pull,
-            .area = area,
+            .area = pair.bond_area,  // the neck stays, so that nothing jumps when the pair comes apart
             .slope = strain > 0 ? (law.exponent + 1) * pull / (strain * pair.radius_sum) : 0};
   }
 };

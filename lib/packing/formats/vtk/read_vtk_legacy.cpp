@@ -38,7 +38,7 @@ class Walker {
                              bool keep) {
     const auto type = vtk_type(type_name);
     if (!type)
-      fail(fmt::format("{} has the type {}, which is not read; write numbers", what, quoted(type_name)));
+      fail(fmt::format("{} has the type {}, which is not read; write numbers", what, in_quotes(type_name)));
     std::vector<double> out;
     if (binary) {
       if (count > rest_.size() / type->size)
@@ -56,7 +56,7 @@ class Walker {
         // What is no number is refused where it is needed; among attributes it is a gap.
         out.push_back(value ? *value : std::numeric_limits<double>::quiet_NaN());
         if (!value && !std::isalpha(static_cast<unsigned char>(word.front())) && word.front() != '-')
-          fail(fmt::format("{} holds {}; it must hold numbers", what, quoted(word)));
+          fail(fmt::format("{} holds {}; it must hold numbers", what, in_quotes(word)));
       }
     }
     return out;
@@ -150,8 +150,9 @@ class LegacyReader {
     } else if (key == "FIELD") {
       field();
     } else if (key != "DATASET") {
-      walker_.fail(fmt::format(
-          "{} begins no section of points that is read; write POLYDATA or UNSTRUCTURED_GRID", quoted(key)));
+      walker_.fail(
+          fmt::format("{} begins no section of points that is read; write POLYDATA or UNSTRUCTURED_GRID",
+                      in_quotes(key)));
     }
   }
 
@@ -179,6 +180,7 @@ class LegacyReader {
     for (std::size_t k = 0; k < arrays; ++k) {
       std::string_view line;
       while (line.empty() && !walker_.at_end()) line = walker_.line();
+      if (line.empty()) walker_.fail("ends inside FIELD; it is cut off: write it again");
       split_cells(line, ' ', words_);
       if (words_[0] == "METADATA") {
         section();

@@ -1,0 +1,240 @@
+/// Packings of other programs, sizes and materials under motion.
+
+#include <gtest/gtest.h>
+
+#include "case/press/press.hpp"
+#include "core/error.hpp"
+#include "dynamics/moving_network.hpp"
+#include "press.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace superstep {
+namespace {
+
+using namespace test;
+
+const char* const dump =
+    "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
+    "ITEM: ATOMS id x y z radius\n1 0 0 0 9\n"
+    "ITEM: TIMESTEP\n10\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
+    "ITEM: ATOMS id type x y z vx vy vz radius f_Temp[0]\n"
+    "7 2 100 0 100 1 2 3 50 400\n3 1 0 0 100 0 0 -5 50 500\n5 1 0 100 100 0 0 0 40 600\n";
+
+std::string case_text(const std::string& particles,
+                      const std::string& materials = "[material]\ndensity = 2000.0\n",
+                      const std::string& thermal = "conductivity = 10.0\nspecific_heat = 100.0\n",
+                      const std::string& more = "") {
+  return "t_end = 1.0\n" + materials + "[thermal]\n" + thermal + "initial = 300.0\nwalls = 300.0\n" + more +
+         "[dynamics]\n[dynamics.box]\nmin = [-1.0, -1.0, -1.0]\nmax = [1.0, 1.0, 1.0]\n" +
+         "[dynamics.contact]\nstiffness = 1e7\n[dynamics.wall]\nstiffness = 1e7\n" +
+         "[dynamics.bond]\nrule = \"rest-length\"\nstiffness = 1e7\nthreshold = 0.1\n"
+         "growth = { rate = 1.0 }\n" +
+         "[[dynamics.phases]]\nname = \"all\"\nuntil = 1.0\n[dynamics.particles]\n" + particles;
+}
+
+std::size_t place_of(const Press& press, std::int64_t id) {
+  const auto& ids = press.particles.id;
+  return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
+}
+
+TEST(ParticleFile, DumpBringsVelocitiesAndTemperaturesOfItsLastFrame) {
+  const TemporaryFolder folder;
+  folder.write("p.dump", dump);
+  const Press press = load_press(folder.write(
+      "case.toml", case_text("file = \"p.dump\"\nlength_unit = \"mm\"\nshift = [0.0, 0.0, -0.5]\n")));
+  ASSERT_EQ(press.particles.size(), 3U);
+  const std::size_t k = place_of(press, 7);
+  EXPECT_DOUBLE_EQ(press.particles.radius[k], 0.05);
+  EXPECT_DOUBLE_EQ(press.state.position[k].x, 0.1);
+  EXPECT_DOUBLE_EQ(press.state.position[k].z, 0.1 - 0.5);
+  EXPECT_DOUBLE_EQ(press.state.velocity[k].y, 2e-3);
+  EXPECT_EQ(press.state.temperature[k], 400);
+  EXPECT_EQ(press.state.temperature[place_of(press, 5)], 600);
+}
+
+TEST(ParticleFile, TableBringsWhatItsColumnsSay) {
+  const TemporaryFolder folder;
+  folder.write("p.csv",
+               "id,x,y,z,r,temperature,vx,vy,vz\n7,0.1,0,0,0.04,450,0,0,-1\n3,0,0,0,0.04,350,2,0,1\n");
+  const auto loaded = [&](const std::string& more = "") {
+    return load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n" + more)));
+  };
+  const Press press = loaded();
+  EXPECT_EQ(press.state.velocity[place_of(press, 7)].z, -1);
+  EXPECT_EQ(press.state.velocity[place_of(press, 3)].x, 2);
+  EXPECT_EQ(press.state.temperature[place_of(press, 3)], 350);
+  EXPECT_EQ(loaded("velocity_unit = 0.5\n").state.velocity[0].z, 0.5) << "0.5 m/s each";
+  for (const auto& [text, says] :
+       {std::pair{"id,x,y,z,r,vx,vy\n7,0.1,0,1,0.04,1,2\n", "none along z"},
+        std::pair{"id,x,y,z,r,vx,vy,vz\n7,0.1,0,1,0.04,1,2,\n",
+                  "particle 7 has no number in its column 'vz'"},
+        std::pair{"id,x,y,z,r,temperature\n7,0.1,0,0,0.04,-1\n", "must be >= 0 K"}}) {
+    folder.write("p.csv", text);
+    const std::string message = message_of<InputError>([&] { (void)loaded(); });
+    EXPECT_NE(message.find(says), std::string::npos) << message;
+  }
+}
+
+TEST(ParticleFile, EveryFormatBringsItsVelocities) {
+  const TemporaryFolder folder;
+  // Two particles each, ids 1 and 2 or 0 and 1; the first moves with (1, 2, 3).
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"data",
+       "t\n\n2 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms # sphere\n\n"
+       "1 1 0.1 2000 0.2 0.2 0.2\n2 1 0.1 2000 0.5 0.5 0.5\n\nVelocities\n\n2 0 0 0 0 0 0\n"
+       "1 1 2 3 0 0 0\n"},
+      {"mercury.data",
+       "2 0 0 0 0 1 1 1\n0.2 0.2 0.2 1 2 3 0.05 0 0 0 0 0 0 0\n"
+       "0.5 0.5 0.5 0 0 0 0.05 0 0 0 0 0 0 0\n"},
+      {"p.xyz",
+       "2\nProperties=pos:R:3:radius:R:1:velo:R:3\n0.2 0.2 0.2 0.05 1 2 3\n0.5 0.5 0.5 0.05 0 0 0\n"},
+      {"p.vtk",
+       "# vtk DataFile Version 3.0\np\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n0.2 0.2 0.2\n"
+       "0.5 0.5 0.5\nPOINT_DATA 2\nSCALARS radius double 1\nLOOKUP_TABLE default\n0.05\n0.05\n"
+       "VECTORS velocity double\n1 2 3\n0 0 0\n"},
+  };
+  for (const auto& [name, text] : files) {
+    folder.write(name, text);
+    const Press press = load_press(folder.write("case.toml", case_text("file = \"" + name + "\"\n")));
+    const std::size_t k = press.state.position[0].x < 0.3 ? 0 : 1;
+    EXPECT_EQ(press.state.velocity[k].x, 1) << name;
+    EXPECT_EQ(press.state.velocity[k].y, 2) << name;
+    EXPECT_EQ(press.state.velocity[k].z, 3) << name;
+    EXPECT_EQ(norm(press.state.velocity[1 - k]), 0) << name;
+  }
+}
+
+TEST(ParticleFile, VelocitiesInTinyUnitsOfTimeAreNotGuessed) {
+  const TemporaryFolder folder;
+  std::string micro = dump;
+  for (std::size_t at = 0; (at = micro.find("ITEM: TIMESTEP", at)) != std::string::npos; at += 30)
+    micro.insert(at, "ITEM: UNITS\nmicro\n");
+  folder.write("p.dump", micro);
+  const auto load = [&](const std::string& more) {
+    return load_press(folder.write("case.toml", case_text("file = \"p.dump\"\n" + more)));
+  };
+  const std::string message = message_of<InputError>([&] { (void)load(""); });
+  EXPECT_NE(message.find("velocity_unit"), std::string::npos) << message;
+  const Press press = load("velocity_unit = 1.0\n");  // micrometres a microsecond
+  EXPECT_EQ(press.state.velocity[place_of(press, 7)].y, 2);
+}
+
+TEST(ParticleFile, BondsBesideItAreTakenUp) {
+  const TemporaryFolder folder;
+  folder.write("p.csv", "id,x,y,z,radius\n7,0.1,0,0,0.06\n3,0,0,0,0.06\n");
+  const std::string with = "file = \"p.csv\"\nbonds = \"b.csv\"\nmax_overlap = 0.3\n";
+  folder.write("b.csv", "i,j,overlap,growth\n7,3,0.2,0.4\n");
+  const Press press = load_press(folder.write("case.toml", case_text(with)));
+  ASSERT_EQ(press.state.bonds.size(), 1U);
+  EXPECT_EQ(press.state.bonds[0].i, 0);
+  EXPECT_EQ(press.state.bonds[0].j, 1);
+  EXPECT_EQ(press.state.bonds[0].growth, 0.4);
+  // The neck acts from the start: x = 0.2 - 1/6, beyond the unloading strain.
+  MovingNetwork network(press.model, press.particles);
+  State state = press.state;
+  network.resume(state, press.model.schedule.at(0));
+  const double neck_area = pair_area(0.12 * 0.8, 0.06, 0.06);
+  EXPECT_NEAR(network.contacts().table().pull[0], 0.4 * 1e7 * neck_area * (0.2 - 1.0 / 6), 1e-9 * 1e7);
+
+  for (const auto& [text, says] : {std::pair{"i,j,overlap,growth\n7,3,0.2,0.4\n3,7,0.2,0.4\n", "two rows"},
+                                   std::pair{"i,j,overlap,growth\n7,3,0.2,1.4\n", "[0, 1]"},
+                                   std::pair{"i,j,overlap,growth\n7,9,0.2,0.4\n", "not in the packing"},
+                                   std::pair{"i,j,overlap,growth\n7,7,0.2,0.4\n", "joins two"}}) {
+    folder.write("b.csv", text);
+    const std::string path = folder.write("case.toml", case_text(with));
+    const std::string message = message_of<InputError>([&] { (void)load_press(path); });
+    EXPECT_NE(message.find(says), std::string::npos) << message;
+  }
+}
+
+TEST(ParticleMaterials, EachHasItsOwnNumbers) {
+  const TemporaryFolder folder;
+  folder.write("p.dump", dump);
+  const std::string materials =
+      "[[materials]]\nname = \"1\"\ndensity = 1000.0\nthermal = { conductivity = 1.0, specific_heat = 10.0 "
+      "}\n"
+      "[[materials]]\nname = \"2\"\ndensity = 3000.0\nthermal = { conductivity = 3.0, specific_heat = 30.0 "
+      "}\n"
+      "hardness = 2.0\n";
+  const Press press = load_press(
+      folder.write("case.toml", case_text("file = \"p.dump\"\nlength_unit = \"mm\"\n", materials, "")));
+  const std::size_t k = place_of(press, 7);
+  EXPECT_DOUBLE_EQ(press.particles.mass[k], 3000 * 4.0 / 3 * std::numbers::pi * std::pow(0.05, 3));
+  EXPECT_EQ(press.particles.conductivity[k], 3);
+  EXPECT_EQ(press.particles.specific_heat[place_of(press, 3)], 10);
+  EXPECT_EQ(press.particles.hardness[k], 2);
+  const std::string both = folder.write(
+      "both.toml", case_text("file = \"p.dump\"\nlength_unit = \"mm\"\n", materials, "conductivity = 1.0\n"));
+  EXPECT_NE(message_of<InputError>([&] { (void)load_press(both); }).find("remove it here"),
+            std::string::npos);
+}
+
+TEST(ParticleSizes, FollowTheirDistribution) {
+  const TemporaryFolder folder;
+  const Press press = load_press(folder.write(
+      "case.toml",
+      case_text("count = 200\nsizes = { distribution = \"uniform\", min = 0.04, max = 0.12 }\nseed = 3\n")));
+  const auto [low, high] = std::minmax_element(press.particles.radius.begin(), press.particles.radius.end());
+  EXPECT_LT(*low, 0.021);
+  EXPECT_GT(*high, 0.059);
+  double sum = 0;
+  for (const double r : press.particles.radius) sum += r;
+  EXPECT_NEAR(sum / 200, 0.04, 1e-12) << "stratified: the mean is exact for a uniform law";
+  for (std::size_t i = 0; i < press.particles.size(); ++i)
+    for (std::size_t j = i + 1; j < press.particles.size(); ++j)
+      ASSERT_GE(norm(press.state.position[i] - press.state.position[j]),
+                (press.particles.radius[i] + press.particles.radius[j]) * (1 - 1e-12));
+}
+
+TEST(Saturation, FollowsEquation50) {
+  const Saturation law{.thermal = 2,
+                       .thermal_slope = 0.01,
+                       .temperature = 400,
+                       .field = 3,
+                       .field_slope = 0.1,
+                       .reference_field = 5};
+  EXPECT_NEAR(law.factor(500, 15), 1 + 2 / (1 + std::exp(-1.0)) + 3 / (1 + std::exp(-1.0)), 1e-15);
+  EXPECT_NEAR(law.factor(400, 5), 1 + 1 + 1.5, 1e-15);
+  EXPECT_EQ(Saturation{}.factor(700, 3), 1);
+}
+
+TEST(Saturation, PotentialsOfAColumnAgreeWithItsFields) {
+  // A column carries one current: sigma(T, E_k) E_k A_k is the same through every contact.
+  Model model = quiet_model(1);
+  model.electric.model = CurrentModel::potential;
+  model.electric.conductivity = 2;
+  model.electric.saturation = {.thermal = 1,
+                               .thermal_slope = 0.01,
+                               .temperature = 500,
+                               .field = 2,
+                               .field_slope = 0.02,
+                               .reference_field = 0};
+  Phase phase = model.schedule.phases().front();
+  phase.lower = 0;
+  phase.upper = 100;
+  phase.upper_wall_begin = phase.upper_wall = -0.47;
+  model.schedule = Schedule({phase});
+  Cloud cloud;
+  for (int k = 0; k < 4; ++k) cloud.add({0, 0, -0.93 + 0.14 * k - 0.003 * k * k}, {}, 0.075, 300 + 100.0 * k);
+  MovingNetwork network(model, cloud.particles);
+  State state = cloud.state;
+  network.resume(state, phase);
+  network.settle(state, phase);
+  double first = 0;
+  for (const auto& contact : network.contacts().points()) {
+    const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
+    const double drop = std::abs(state.electric[i] - state.electric[j]), field = drop / contact.distance;
+    ASSERT_GT(drop, 1) << "current flows";
+    const double sigma = model.electric.conductivity *
+                         (model.electric.saturation.factor(state.temperature[i], field) +
+                          model.electric.saturation.factor(state.temperature[j], field)) /
+                         2;
+    const double current = sigma * contact.area * field;
+    if (first == 0) first = current;
+    EXPECT_NEAR(current, first, 1e-8 * first) << "the turns end at 1e-10 of the largest potential";
+  }
+  EXPECT_GT(first, 0);
+}
+
+}  // namespace
+}  // namespace superstep
