@@ -296,11 +296,7 @@ Tree press_of_named() {
   return tree;
 }
 
-Tree press_of_a_file(const CaseFolder& folder) {
-  folder.write(
-      "moved.csv",
-      "id,x,y,z,radius,vx,vy,vz,temperature\n7,100,100,100,50,0,0,1,400\n9,190,100,100,50,0,0,0,500\n");
-  folder.write("moved_bonds.csv", "i,j,overlap,growth\n7,9,0.12,0.5\n");
+Tree press_of_a_file() {
   Tree tree = press_with_necks();
   tree["dynamics"]["particles"] =
       Tree::parse(R"({ "file": "moved.csv", "length_unit": "mm", "velocity_unit": 0.1,
@@ -350,7 +346,7 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"sizes", CaseKey::press,
            press_of_sizes(R"({ "distribution": "list", "diameters": [0.08, 0.1], "weights": [1.0, 2.0] })")},
           {"named", CaseKey::press, press_of_named()},
-          {"moved", CaseKey::press, press_of_a_file(folder)}};
+          {"moved", CaseKey::press, press_of_a_file()}};
 }
 
 }  // namespace superstep::test
