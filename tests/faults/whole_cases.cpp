@@ -298,9 +298,8 @@ Tree press_of_named() {
 
 Tree press_of_a_file() {
   Tree tree = press_with_necks();
-  tree["dynamics"]["particles"] =
-      Tree::parse(R"({ "file": "moved.csv", "length_unit": "mm", "velocity_unit": 0.1,
-    "bonds": "moved_bonds.csv", "shift": [0.05, 0.05, 0.05], "max_overlap": 0.2 })");
+  tree["dynamics"]["particles"] = Tree::parse(R"({ "file": "moved.csv", "length_unit": "mm",
+    "velocity_unit": 0.1, "bonds": "moved_bonds.csv", "shift": [0.05, 0.05, 0.05], "max_overlap": 0.2 })");
   return tree;
 }
 
@@ -321,8 +320,7 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
   const Tree lattice = Tree::parse(R"({ "generator": "lattice", "length_unit": "mm", "cells": [3, 3, 3],
     "spacing": 1.9, "diameter": 2.0 })");
   Tree listed = box;
-  listed["sizes"] =
-      Tree::parse(R"({ "distribution": "list", "diameters": [0.8, 1.2], "weights": [1.0, 2.0] })");
+  listed["sizes"] = {{"distribution", "list"}, {"diameters", {0.8, 1.2}}, {"weights", {1.0, 2.0}}};
   return {{"fields", CaseKey::packing, fields()},
           {"materials", CaseKey::packing, materials()},
           {"cylinder", CaseKey::packing, generated(cylinder, "linear")},
