@@ -43,12 +43,21 @@ void write_networks(const CaseFolder& folder) {
                "0,True,1,0,1,2\n1,False,2,1,2,3\n2,False,3,,,\n");
 }
 
+/// Two particles of a press that touch, and the bond between them.
+void write_press(const CaseFolder& folder) {
+  folder.write(
+      "moved.csv",
+      "id,x,y,z,radius,vx,vy,vz,temperature\n7,100,100,100,50,0,0,1,400\n9,190,100,100,50,0,0,0,500\n");
+  folder.write("moved_bonds.csv", "i,j,overlap,growth\n7,9,0.12,0.5\n");
+}
+
 }  // namespace
 
 void write_files_of_cases(const CaseFolder& folder) {
   write_lattice(folder);
   write_grains(folder);
   write_networks(folder);
+  write_press(folder);
 }
 
 }  // namespace superstep::test

@@ -136,15 +136,6 @@ Tree generated_grid(const Tree& packing) {
   return tree;
 }
 
-Tree generated_lattice(const Tree& packing) {
-  Tree tree = generated_grid(packing);
-  tree.erase("materials");
-  tree["material"] = {{"density", 1000.0}};
-  tree["thermal"].update({{"conductivity", 10.0}, {"specific_heat", 100.0}});
-  tree["electric"].update({{"conductivity", 1e3}, {"specific_capacity", 1e3}});
-  return tree;
-}
-
 Tree materials() {
   Tree tree = head();
   tree["packing"] = {{"file", "named.csv"}, {"length_unit", "mm"}};
@@ -305,15 +296,10 @@ Tree press_of_named() {
   return tree;
 }
 
-Tree press_of_a_file(const CaseFolder& folder) {
-  folder.write(
-      "moved.csv",
-      "id,x,y,z,radius,vx,vy,vz,temperature\n7,100,100,100,50,0,0,1,400\n9,190,100,100,50,0,0,0,500\n");
-  folder.write("moved_bonds.csv", "i,j,overlap,growth\n7,9,0.12,0.5\n");
+Tree press_of_a_file() {
   Tree tree = press_with_necks();
-  tree["dynamics"]["particles"] =
-      Tree::parse(R"({ "file": "moved.csv", "length_unit": "mm", "velocity_unit": 0.1,
-    "bonds": "moved_bonds.csv", "shift": [0.05, 0.05, 0.05], "max_overlap": 0.2 })");
+  tree["dynamics"]["particles"] = Tree::parse(R"({ "file": "moved.csv", "length_unit": "mm",
+    "velocity_unit": 0.1, "bonds": "moved_bonds.csv", "shift": [0.05, 0.05, 0.05], "max_overlap": 0.2 })");
   return tree;
 }
 
@@ -332,10 +318,9 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
     "jitter": 0.02, "seed": 2, "materials": ["a"], "shares": [1.0],
     "sizes": { "distribution": "uniform", "min": 1.05, "max": 1.1 } })");
   const Tree lattice = Tree::parse(R"({ "generator": "lattice", "length_unit": "mm", "cells": [3, 3, 3],
-    "spacing": 1.0, "diameter": 1.05 })");
+    "spacing": 1.9, "diameter": 2.0 })");
   Tree listed = box;
-  listed["sizes"] =
-      Tree::parse(R"({ "distribution": "list", "diameters": [0.8, 1.2], "weights": [1.0, 2.0] })");
+  listed["sizes"] = {{"distribution", "list"}, {"diameters", {0.8, 1.2}}, {"weights", {1.0, 2.0}}};
   return {{"fields", CaseKey::packing, fields()},
           {"materials", CaseKey::packing, materials()},
           {"cylinder", CaseKey::packing, generated(cylinder, "linear")},
@@ -346,7 +331,7 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"matrix", CaseKey::network, matrix()},
           {"pores", CaseKey::network, pores()},
           {"grid", CaseKey::packing, generated_grid(grid)},
-          {"cubic", CaseKey::packing, generated_lattice(lattice)},
+          {"cubic", CaseKey::packing, generated(lattice, "linear")},
           {"network", CaseKey::network, network(folder)},
           {"generated", CaseKey::network, generated_network(listed_table)},
           {"driven", CaseKey::network, generated_network(table_in_file)},
@@ -359,7 +344,7 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"sizes", CaseKey::press,
            press_of_sizes(R"({ "distribution": "list", "diameters": [0.08, 0.1], "weights": [1.0, 2.0] })")},
           {"named", CaseKey::press, press_of_named()},
-          {"moved", CaseKey::press, press_of_a_file(folder)}};
+          {"moved", CaseKey::press, press_of_a_file()}};
 }
 
 }  // namespace superstep::test
