@@ -39,6 +39,11 @@ SizeDistribution read_sizes(TomlTable table, double unit) {
     sizes.max = unit * table.positive("max", "length");
     if (name == "lognormal") {
       sizes.sigma = table.positive("sigma", "-");
+      if (sizes.sigma < narrowest_sigma || sizes.sigma > widest_sigma)
+        table.require("sigma", "it is the standard deviation of ln(diameter)")
+            .reject(fmt::format("it is {}; it must lie between {} and {}: narrower, all spheres are equal "
+                                "(take distribution = \"uniform\"), wider, min and max are all there is",
+                                sizes.sigma, narrowest_sigma, widest_sigma));
       if (table.find("median")) sizes.median = unit * table.positive("median", "length");
     }
   } else if (name == "list") {

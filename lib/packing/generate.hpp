@@ -21,6 +21,9 @@ struct Container {
   [[nodiscard]] double cross_section() const noexcept;
 };
 
+/// Of ln(diameter): narrower, all spheres are equal; wider, the cut-offs are all there is.
+inline constexpr double narrowest_sigma = 1e-3, widest_sigma = 10;
+
 /// Distribution of sphere diameters [m].
 struct SizeDistribution {
   enum class Kind { lognormal, uniform, list };

@@ -62,9 +62,7 @@ double check_sizes(const SizeDistribution& sizes, bool fit_median) {
   require(lognormal ? sizes.max > sizes.min : sizes.max >= sizes.min, "largest diameter", sizes.max,
           fmt::format("it must exceed the smallest, {} m", sizes.min));
   if (!lognormal) return sizes.max;
-  constexpr double narrow = 1e-3,
-                   wide = 10;  // below, all spheres are equal; above, the cut-offs are all there is
-  require(sizes.sigma >= narrow && sizes.sigma <= wide, "sigma", sizes.sigma,
+  require(sizes.sigma >= narrowest_sigma && sizes.sigma <= widest_sigma, "sigma", sizes.sigma,
           "the standard deviation of ln(diameter) must be > 0, from 1e-3 to 10; for equal spheres use a "
           "uniform distribution");
   if (!fit_median)

@@ -6,6 +6,7 @@
 #include "case/keys/key_list.hpp"
 #include "contact/neck.hpp"
 #include "network/generators/network_generator.hpp"
+#include "packing/generate.hpp"
 #include "packing/pack_checks.hpp"
 
 namespace superstep {
@@ -101,7 +102,8 @@ void list_sizes(KeyList& keys, const std::string& unit) {
   keys.text("sizes.distribution", "of the diameters", {"lognormal", "uniform", "list"});
   keys.number("sizes.min", positive_number, unit, "lognormal, uniform: smallest diameter");
   keys.number("sizes.max", positive_number, unit, "lognormal, uniform: largest diameter");
-  keys.number("sizes.sigma", {.min = 1e-3, .max = 10}, "", "lognormal: standard deviation of ln(diameter)");
+  keys.number("sizes.sigma", {.min = narrowest_sigma, .max = widest_sigma}, "",
+              "lognormal: standard deviation of ln(diameter)");
   keys.number("sizes.median", positive_number, unit, "lognormal: median diameter");
   keys.numbers("sizes.diameters", 0, positive_number, unit, "list: the diameters");
   keys.numbers("sizes.weights", 0, positive_number, "", "list: number fractions").fallback = "equal";
