@@ -2,7 +2,7 @@
 """Several processes of which one dies, is told to stop, or finds no memory: the run ends with a reason and an exit code,
 whatever it leaves is whole, nobody stays behind, and the next run succeeds and leaves no litter.
 
-    killed.py PROGRAM SHIM [KILLS]     kills of each command, default 3; SHIM makes allocations fail (tests/faults)
+    killed.py PROGRAM SHIM [KILLS [COMMAND...]]   kills of each command, default 3; SHIM makes allocations fail (tests/faults)
 
 Skipped (77) where there is no mpirun or the program was built without MPI.
 """
@@ -204,7 +204,8 @@ def main():
     faults, hits = Faults(), {"killed": 0, "interrupted": 0, "starved": 0}
     with tempfile.TemporaryDirectory(prefix="superstep-") as place:
         faults += check_wrong_input(program, place)
-        for name, command in COMMANDS.items():
+        for name in sys.argv[4:] or COMMANDS:
+            command = COMMANDS[name]
             folder = Folder(program, f"{place}/{name}", name)
             folder.clear()
             began = time.monotonic()
