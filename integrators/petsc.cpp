@@ -30,9 +30,10 @@ struct Loaded {
 
 Loaded load_petsc() {
   const LoadedModule module(petsc::module_file);
+  if (!module.why_not().empty()) return {nullptr, module.why_not()};
   auto* const initialize = module.function<petsc::Initialize>(petsc::initialize_name);
   auto* const make_run = module.function<petsc::MakeRun>(petsc::make_run_name);
-  if (!initialize || !make_run) return {nullptr, module.why_not()};
+  if (!initialize || !make_run) return {nullptr, "it is of another version of the program"};
   if (!(*initialize)()) return {nullptr, "it does not start"};
   return {make_run, ""};
 }

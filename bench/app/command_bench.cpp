@@ -34,7 +34,8 @@ std::vector<LoadedCase> load_all(const BenchCommand& command) {
   require_distinct_names(command.case_files);
   for (const auto& file : command.case_files) {
     cases.push_back(load_bench_case(file));
-    if (command.case_files.size() > 1 && std::holds_alternative<Press>(cases.back().content))
+    if (!command.press_table && command.case_files.size() > 1 &&
+        std::holds_alternative<Press>(cases.back().content))
       throw UsageError("bench: a case with moving particles ([dynamics]) is measured on its own");
   }
   return cases;
@@ -61,19 +62,6 @@ BenchCase measure(const Scene& scene, double cpu_setup, HarnessOptions options, 
 
 BenchCase measure(const Press& press, double cpu_setup, const HarnessOptions& options, Progress& progress) {
   return bench_thermal_lanes(press, cpu_setup, options, progress);
-}
-
-/// Only the table of each press; its files go where results would.
-int bench_press_tables(const BenchCommand& command, const std::vector<LoadedCase>& cases) {
-  const std::string folder = output_folder(command, cases);
-  const OutputFolder locked(folder);
-  Progress progress(!command.common.quiet && stderr_is_terminal());
-  for (const auto& one : cases) {
-    const auto* press = std::get_if<Press>(&one.content);
-    if (!press) throw UsageError("bench: --press-table needs cases with moving particles ([dynamics])");
-    bench_press_table(command, *press, folder, progress);
-  }
-  return 0;
 }
 
 ExitCode exit_code(const BenchReport& report) {
@@ -164,9 +152,9 @@ int execute(const BenchCommand& command) {
   if (command.harness.count_instructions && valgrind_version().empty())
     throw UsageError("bench: --instructions needs Valgrind; install it (apt-get install valgrind)");
   const auto cases = load_all(command);
-  if (command.press_table) return bench_press_tables(command, cases);
   const std::string folder = output_folder(command, cases);
   const OutputFolder locked(folder);
+  if (command.press_table) return bench_press_tables(command, cases, folder);
   const bool quiet = command.common.quiet;
   Progress progress(!quiet && stderr_is_terminal());
   HarnessOptions options = command.harness;
@@ -194,12 +182,7 @@ int execute(const BenchCommand& command) {
     if (const auto* press = std::get_if<Press>(&one.content); press && !report.interrupted)
       bench_motion(command, *press, folder, progress);
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
-  if (command.report) {
-    const std::string file = write_report(folder);
-    if (!quiet) note("report in " + file);
-  } else if (std::error_code ignored; !quiet && std::filesystem::exists(folder + "/report.html", ignored)) {
-    note(fmt::format("{0}/report.html shows earlier results; renew it with superstep report {0}", folder));
-  }
+  renew_report(folder, command.report, quiet);
   if (report.interrupted) return interrupted_exit_code;
   return static_cast<int>(exit_code(report));
 }

@@ -129,10 +129,7 @@ int execute(const CorpusCommand& command) {
   }
   print_tables(command, file.rows());
   if (!command.common.quiet) note("points in " + folder + "/corpus.csv");
-  if (command.report) {
-    const std::string report = write_report(folder);
-    if (!command.common.quiet) note("report in " + report);
-  }
+  renew_report(folder, command.report, command.common.quiet);
   if (stop_flag()) return interrupted_exit_code;
   const bool measured =
       std::any_of(file.rows().begin(), file.rows().end(), [](const auto& row) { return row.ok(); });

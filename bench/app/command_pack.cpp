@@ -147,37 +147,36 @@ int say(const PackCommand& command, std::size_t particles, const PackReport& rep
   return 0;
 }
 
+int pack_lattice(const PackCommand& command, Progress& progress) {
+  write_lattice(command.file, *command.lattice, progress);
+  progress.end();
+  return say(command, static_cast<std::size_t>(command.lattice->size()), report_of(*command.lattice));
+}
+
+int pack_container(const PackCommand& command, Progress& progress) {
+  PackReport report;
+  const Packing packing = generate_packing(command.settings, &report, [&](double fraction) {
+    progress.reached(fraction);
+    return !stop_flag();
+  });
+  progress.end();
+  write_file_atomically(command.file, packing_csv(packing));
+  return say(command, packing.size(), report);
+}
+
 }  // namespace
 
 int execute(const PackCommand& command) {
-  const bool quiet = command.common.quiet;
   catch_interrupts();
-  Progress progress(!quiet && stderr_is_terminal());
+  Progress progress(!command.common.quiet && stderr_is_terminal());
   progress.begin("packing", 1.0);
-  if (command.lattice) try {
-      write_lattice(command.file, *command.lattice, progress);
-      progress.end();
-      return say(command, static_cast<std::size_t>(command.lattice->size()), report_of(*command.lattice));
-    } catch (const NumericalError&) {
-      progress.end();
-      return interrupted_exit_code;
-    }
-  PackReport report;
-  const auto watch = [&](double fraction) {
-    progress.reached(fraction);
-    return !stop_flag();
-  };
-  Packing packing;
   try {
-    packing = generate_packing(command.settings, &report, watch);
+    return command.lattice ? pack_lattice(command, progress) : pack_container(command, progress);
   } catch (const NumericalError&) {
     progress.end();
     if (stop_flag()) return interrupted_exit_code;
     throw;
   }
-  progress.end();
-  write_file_atomically(command.file, packing_csv(packing));
-  return say(command, packing.size(), report);
 }
 
 CommandEntry pack_command() {

@@ -48,9 +48,7 @@ int execute(const WorkPrecisionCommand& command) {
     const std::string file = folder_of(command, scene) + "/work_precision.csv";
     write_file_atomically(file, work_precision_csv(study));
     if (!command.common.quiet) note("points in " + file);
-    if (!command.report) continue;
-    const std::string report = write_report(folder_of(command, scene));
-    if (!command.common.quiet) note("report in " + report);
+    renew_report(folder_of(command, scene), command.report, command.common.quiet);
   }
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(measured ? ExitCode::ok : ExitCode::inconclusive);

@@ -9,4 +9,7 @@ namespace superstep {
 /// OutputError.
 std::string write_report(const std::string& folder);
 
+/// After results were written: the report where it is wanted; else a word about one that is there and older.
+void renew_report(const std::string& folder, bool wanted, bool quiet);
+
 }  // namespace superstep

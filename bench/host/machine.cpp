@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <klu.h>
 #include <link.h>
-#include <malloc.h>
 #include <sundials/sundials_config.h>
 #include <sys/utsname.h>
 
@@ -14,6 +13,7 @@
 #include <thread>
 
 #include "build_info.hpp"
+#include "core/memory.hpp"
 #include "core/shared_library.hpp"
 #include "rhs/kernels/sweep.hpp"
 
@@ -99,7 +99,7 @@ void set_library_threads(int threads) {
 }
 
 void reset_peak_memory() {
-  malloc_trim(0);                                 // memory that earlier runs gave back must not count
+  give_back_memory();                             // what earlier runs gave back must not count
   std::ofstream("/proc/self/clear_refs") << "5";  // Linux: 5 resets the peak resident set
 }
 

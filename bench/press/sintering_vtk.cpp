@@ -1,7 +1,6 @@
 #include "bench/press/sintering_vtk.hpp"
 
-#include <cmath>
-
+#include "dynamics/current.hpp"
 #include "dynamics/heat.hpp"
 
 namespace superstep {
@@ -59,16 +58,10 @@ VtkPolyData sintering_contacts(const Press& one, const dynamics::MovingNetwork& 
            [&](const dynamics::ContactPoint& contact) { return dynamics::pair_conductance(contact); });
   if (one.model.electric.model == CurrentModel::potential)
     add_flow(data, "potential", contacts, state.electric, [&](const dynamics::ContactPoint& contact) {
-      const auto sigma = [&](std::int32_t k, double field) {
-        const auto i = static_cast<std::size_t>(k);
-        const auto& law = one.model.electric;
-        return dynamics::value_of(one.particles.electric_conductivity, i, law.conductivity) *
-               law.saturation.factor(state.temperature[i], field);
-      };
       const double drop = state.electric[static_cast<std::size_t>(contact.i)] -
                           state.electric[static_cast<std::size_t>(contact.j)];
-      const double field = std::abs(drop) / contact.distance;
-      return 0.5 * (sigma(contact.i, field) + sigma(contact.j, field)) * contact.area / contact.distance;
+      return dynamics::branch_conductance(one.model.electric, one.particles, contact, state.temperature,
+                                          drop);
     });
   return data;
 }

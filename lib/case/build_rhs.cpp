@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "case/checks/skips.hpp"
 #include "case/roles.hpp"
 #include "core/error.hpp"
 #include "core/index.hpp"
@@ -222,7 +223,7 @@ void list_field_skips(const FieldScene& field, bool only, Scene& scene) {
   const auto count = [&](NodeRole role) { return std::count(field.roles.begin(), field.roles.end(), role); };
   const std::string of_field = only ? "" : fmt::format(" of the {}", field.name);
   if (const auto fixed = count(NodeRole::fixed); fixed > 0)
-    scene.skips.push_back({fmt::format("{} fixed nodes{}", fixed, of_field), "their values are known"});
+    scene.skips.push_back(fixed_nodes_skip(fixed, of_field));
   const auto algebraic = field.algebraic.size();
   if (algebraic > 0)
     scene.skips.push_back({fmt::format("{} nodes of capacity 0{}", algebraic, of_field),
@@ -240,15 +241,15 @@ void list_field_skips(const FieldScene& field, bool only, Scene& scene) {
 
 void list_term_skips(const FieldScene& field, Scene& scene) {
   if (field.name != "temperature") return;
-  if (field.graph.convection.empty()) scene.skips.push_back({"convection", "the case has none"});
-  if (field.graph.radiation.empty()) scene.skips.push_back({"radiation", "the case has none"});
+  if (field.graph.convection.empty()) scene.skips.push_back(convection_skip());
+  if (field.graph.radiation.empty()) scene.skips.push_back(radiation_skip());
 }
 
 void list_skips(Scene& scene) {
   const FieldScene* electric = find_field(scene, "potential");
   const FieldScene* thermal = find_field(scene, "temperature");
   for (const auto& field : scene.fields) list_field_skips(field, scene.fields.size() == 1, scene);
-  if (!electric) scene.skips.push_back({"electric field", "the case has no [electric]"});
+  if (!electric) scene.skips.push_back(electric_skip());
   if (!thermal) scene.skips.push_back({"temperature field", "the case has no [thermal]"});
   if (!scene.packed) {
     scene.skips.push_back({"neighbour search and necks", "the network is given directly"});

@@ -1,7 +1,6 @@
 #include "case/probe.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace superstep {
 namespace {
@@ -10,18 +9,11 @@ namespace {
 std::size_t mid_height(const TomlValue& probe, const Scene& scene) {
   if (!scene.packed) probe.reject("a network without coordinates has no mid-height; give the id of a node");
   const auto& packing = scene.packed->packing;
-  const Bounds box = surface_bounds(packing);
-  const Vec3 middle = 0.5 * (box.min + box.max);
-  std::size_t nearest = 0;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < packing.size(); ++k) {
-    const double distance = norm(packing.centre[k] - middle);
-    if (scene.fields.front().roles[k] == NodeRole::free && distance < smallest) {
-      smallest = distance;
-      nearest = k;
-    }
-  }
-  return nearest;
+  MidHeight found(surface_bounds(packing));
+  for (std::size_t k = 0; k < packing.size(); ++k)
+    if (scene.fields.front().roles[k] == NodeRole::free)
+      found.look_at(packing.centre[k], static_cast<std::int64_t>(k));
+  return static_cast<std::size_t>(found.nearest());
 }
 
 Probe by_id(const TomlValue& value, const Scene& scene) {
@@ -39,24 +31,31 @@ Probe by_id(const TomlValue& value, const Scene& scene) {
   return {std::to_string(*found), *found, node};
 }
 
-Probe read_probe(const TomlValue& value, const Scene& scene) {
-  if (!value.is_string()) return by_id(value, scene);
-  if (value.string() != "mid-height") value.reject("it must be \"mid-height\", an id, or a list of these");
-  const std::size_t node = mid_height(value, scene);
-  return {"mid-height", scene.fields.front().graph.id[node], static_cast<std::int32_t>(node)};
-}
-
 }  // namespace
 
-std::vector<Probe> read_probes(const TomlValue& probe, const Scene& scene) {
-  if (!probe.is_array()) return {read_probe(probe, scene)};
+std::vector<Probe> read_probes(const TomlValue& probe, const ProbeFinder& find) {
+  const auto read = [&](const TomlValue& value) {
+    if (!value.is_string()) return find.by_id(value);
+    if (value.string() != "mid-height") value.reject("it must be \"mid-height\", an id, or a list of these");
+    return find.at_mid_height(value);
+  };
+  if (!probe.is_array()) return {read(probe)};
   std::vector<Probe> probes;
   for (const auto& value : probe.array()) {
-    probes.push_back(read_probe(value, scene));
+    probes.push_back(read(value));
     const auto same = [&](const Probe& other) { return other.label == probes.back().label; };
     if (std::count_if(probes.begin(), probes.end(), same) > 1) value.reject("it stands twice; keep one");
   }
   return probes;
+}
+
+std::vector<Probe> read_probes(const TomlValue& probe, const Scene& scene) {
+  const auto at_mid_height = [&](const TomlValue& value) {
+    const std::size_t node = mid_height(value, scene);
+    return Probe{"mid-height", scene.fields.front().graph.id[node], static_cast<std::int32_t>(node)};
+  };
+  return read_probes(probe, {.by_id = [&](const TomlValue& value) { return by_id(value, scene); },
+                             .at_mid_height = at_mid_height});
 }
 
 }  // namespace superstep

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "case/scene.hpp"
+#include "case/selection.hpp"
 #include "core/text/toml.hpp"
 #include "packing/generate.hpp"
 
@@ -13,9 +14,10 @@ namespace superstep {
 /// Particles and contacts of a case with the unit of its lengths and the conductance law that it names.
 struct PackingInput {
   PackingScene scene;
-  double unit = 1;    ///< m per case length
-  bool pipe = false;  ///< conductance law: pipe instead of series
-  double t_end = 0;   ///< s; how far repeated profiles reach
+  double unit = 1;                     ///< m per case length
+  bool pipe = false;                   ///< conductance law: pipe instead of series
+  double t_end = 0;                    ///< s; how far repeated profiles reach
+  SelectionLog* selections = nullptr;  ///< of a packing that is read part by part; else null
 };
 
 struct SphereArrays;

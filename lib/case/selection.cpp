@@ -116,7 +116,8 @@ std::vector<char> by_table(const TomlValue& where, const Packing& packing, doubl
 
 }  // namespace
 
-std::vector<char> select_particles(const TomlValue& where, const Packing& packing, double unit) {
+std::vector<char> select_particles(const TomlValue& where, const Packing& packing, double unit,
+                                   SelectionLog* log) {
   std::vector<char> out;
   if (where.is_string()) {
     const std::string name = where.string();
@@ -130,9 +131,8 @@ std::vector<char> select_particles(const TomlValue& where, const Packing& packin
     where.reject("it must be \"all\", \"top\", \"bottom\" or a table such as { ids = [1, 2] }");
   }
   const bool nobody = std::none_of(out.begin(), out.end(), [](char chosen) { return chosen != 0; });
-  if (packing.part_of) {
-    bool& somebody =
-        packing.part_of->selections.try_emplace(where.where() + " is " + where.shown()).first->second;
+  if (log) {
+    bool& somebody = log->try_emplace(where.where() + " is " + where.shown()).first->second;
     somebody = somebody || !nobody;
   } else if (nobody) {
     where.reject(selects_nobody);

@@ -83,14 +83,13 @@ void flush_folder(const fs::path& folder) noexcept {
   ::close(descriptor);
 }
 
-void write_pieces(const std::string& path, int descriptor,
-                  const std::function<void(const PieceWriter&)>& pieces) {
+using Pieces = std::function<void(const PieceWriter&)>;
+
+void write_pieces(const std::string& path, int descriptor, const Pieces& pieces) {
   pieces([&](std::string_view piece) {
     if (!write_all(descriptor, piece)) fail(path, errno);
   });
 }
-
-using Pieces = std::function<void(const PieceWriter&)>;
 
 /// Through a temporary. `kept` [mode] of the file that is replaced, if there is one.
 void replace(const std::string& path, const fs::path& file, const Pieces& pieces,
@@ -113,9 +112,7 @@ void write_file_atomically(const std::string& path, std::string_view content) {
 
 void write_file_atomically(const std::string& path, const Pieces& pieces) {
   const auto [file, stream] = follow_links(path);
-  if (stream) {
-    return write_pieces(path, *stream, pieces);
-  }
+  if (stream) return write_pieces(path, *stream, pieces);
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) fail(path, error.value());

@@ -1,11 +1,15 @@
 #include "core/huge_pages.hpp"
 
+#include <malloc.h>
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <mutex>
 #include <new>
+#include <utility>
 #include <vector>
+
+#include "core/memory.hpp"
 
 namespace superstep {
 namespace {
@@ -66,6 +70,22 @@ void give_huge_pages_back(void* memory, std::size_t bytes) noexcept {
   } catch (const std::bad_alloc&) {  // no room for the note: it is freed
   }
   free_huge_pages(memory);
+}
+
+std::size_t kept_huge_pages() noexcept {
+  HugePagePool& pool = huge_page_pool();
+  const std::lock_guard lock(pool.mutex);
+  return pool.bytes;
+}
+
+void give_back_memory() noexcept {
+  HugePagePool& pool = huge_page_pool();
+  {
+    const std::lock_guard lock(pool.mutex);
+    for (const KeptPages& one : std::exchange(pool.kept, {})) free_huge_pages(one.memory);
+    pool.bytes = 0;
+  }
+  (void)::malloc_trim(0);
 }
 
 }  // namespace superstep

@@ -19,6 +19,8 @@ constexpr std::size_t huge_pages_kept = std::size_t{256} << 20;
 [[nodiscard]] void* take_huge_pages(std::size_t bytes);
 /// Back from `take_huge_pages`, with the same size.
 void give_huge_pages_back(void* memory, std::size_t bytes) noexcept;
+/// What is kept now [bytes]; `give_back_memory` frees it.
+[[nodiscard]] std::size_t kept_huge_pages() noexcept;
 
 struct HugePageDelete {
   std::size_t bytes = 0;

@@ -1,8 +1,6 @@
 #pragma once
 /// Memory that was used and is not any more.
 
-#include <malloc.h>
-
 #include <vector>
 
 namespace superstep {
@@ -13,10 +11,8 @@ void free_list(std::vector<Value>& list) noexcept {
   std::vector<Value>().swap(list);
 }
 
-/// Gives what has been freed back to the system: after much has been built up and thrown away, before as much
-/// is built that stays.
-inline void give_back_memory() noexcept {
-  (void)malloc_trim(0);
-}
+/// Gives what has been freed back to the system, kept huge pages included: before as much is built that
+/// stays, or before somebody measures.
+void give_back_memory() noexcept;
 
 }  // namespace superstep

@@ -13,6 +13,15 @@ const std::optional<double>& Electrodes::of(Wall wall) const noexcept {
   return wall == superstep::dynamics::lower ? lower : wall == superstep::dynamics::upper ? upper : none;
 }
 
+double branch_conductance(const ElectricLaw& law, const Particles& particles, const ContactPoint& contact,
+                          std::span<const double> temperature, double drop) noexcept {
+  const double field = std::abs(drop) / contact.distance;
+  const auto sigma = [&](std::int32_t i) {
+    return electric_conductivity(law, particles, at(i), temperature[at(i)], field);
+  };
+  return 0.5 * (sigma(contact.i) + sigma(contact.j)) * contact.area / contact.distance;
+}
+
 CurrentField::CurrentField(const ElectricLaw& law, const Particles& particles)
     : law_(law),
       particles_(particles),
@@ -20,12 +29,6 @@ CurrentField::CurrentField(const ElectricLaw& law, const Particles& particles)
       carrying_(particles.size(), 0),
       heat_(particles.size(), 0.0) {
   for (const double r : particles.radius) volume_.push_back(4.0 / 3.0 * std::numbers::pi * r * r * r);
-}
-
-/// sigma_0 of the particle, at this temperature and field [S/m].
-double CurrentField::conductivity(std::size_t i, double temperature, double field) const {
-  return value_of(particles_.electric_conductivity, i, law_.conductivity) *
-         law_.saturation.factor(temperature, field);
 }
 
 void CurrentField::update(const Placement& placement, const Electrodes& electrodes,
@@ -92,7 +95,8 @@ void CurrentField::averaging(const Placement& placement, const Electrodes& elect
   solve(electric, values);
   std::copy_n(laplacian_.reached().begin(), n, carrying_.begin());
   for (std::size_t i = 0; i < n; ++i)
-    heat_[i] = law_.absorption * electric[i] * electric[i] * volume_[i] / conductivity(i, temperature[i], 0);
+    heat_[i] = law_.absorption * electric[i] * electric[i] * volume_[i] /
+               electric_conductivity(law_, particles_, i, temperature[i], 0);
 }
 
 // Resistors sigma A/d between particles and to the walls, which are two nodes more. The heat of a branch goes
@@ -140,21 +144,18 @@ void CurrentField::potential(const Placement& placement, const Electrodes& elect
 void CurrentField::find_branches(const Placement& placement, const Electrodes& electrodes, std::size_t n,
                                  std::span<const double> temperature) {
   edges_.clear();
-  const auto field = [&](std::int32_t i, std::int32_t j, double distance) {
-    return std::abs(values_[at(i)] - values_[at(j)]) / distance;
-  };
-  for (const auto& contact : placement.contacts) {
-    if (!(contact.area > 0)) continue;
-    const double e = field(contact.i, contact.j, contact.distance);
-    const double sigma = 0.5 * (conductivity(at(contact.i), temperature[at(contact.i)], e) +
-                                conductivity(at(contact.j), temperature[at(contact.j)], e));
-    edges_.push_back({contact.i, contact.j, sigma * contact.area / contact.distance});
-  }
+  const auto drop = [&](std::int32_t i, std::int32_t j) { return values_[at(i)] - values_[at(j)]; };
+  for (const auto& contact : placement.contacts)
+    if (contact.area > 0)
+      edges_.push_back(
+          {contact.i, contact.j,
+           branch_conductance(law_, particles_, contact, temperature, drop(contact.i, contact.j))});
   for (const auto& contact : placement.walls) {
     if (!electrodes.of(contact.wall) || !(contact.distance > 0)) continue;
     const auto wall = static_cast<std::int32_t>(contact.wall == superstep::dynamics::lower ? n : n + 1);
-    const double sigma = conductivity(at(contact.particle), temperature[at(contact.particle)],
-                                      field(contact.particle, wall, contact.distance));
+    const double field = std::abs(drop(contact.particle, wall)) / contact.distance;
+    const double sigma = electric_conductivity(law_, particles_, at(contact.particle),
+                                               temperature[at(contact.particle)], field);
     edges_.push_back({contact.particle, wall, sigma * contact.area / contact.distance});
   }
 }

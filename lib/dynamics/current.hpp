@@ -17,6 +17,17 @@ struct Electrodes {
   [[nodiscard]] const std::optional<double>& of(Wall wall) const noexcept;
 };
 
+/// sigma of particle i at this temperature [K] and field [V/m] (Zohdi 2014, eq. 50) [S/m].
+[[nodiscard]] inline double electric_conductivity(const ElectricLaw& law, const Particles& particles,
+                                                  std::size_t i, double temperature, double field) noexcept {
+  return value_of(particles.electric_conductivity, i, law.conductivity) *
+         law.saturation.factor(temperature, field);
+}
+/// Of a contact that potentials differ across by `drop` [V]: mean conductivity times area over distance [S].
+[[nodiscard]] double branch_conductance(const ElectricLaw& law, const Particles& particles,
+                                        const ContactPoint& contact, std::span<const double> temperature,
+                                        double drop) noexcept;
+
 class CurrentField {
  public:
   /// Keeps a reference to the particles.
@@ -48,7 +59,6 @@ class CurrentField {
                  std::span<const double> temperature, std::span<double> electric, Values values);
   void solve(std::span<double> x, Values values);
 
-  [[nodiscard]] double conductivity(std::size_t i, double temperature, double field) const;
   void find_branches(const Placement& placement, const Electrodes& electrodes, std::size_t n,
                      std::span<const double> temperature);
 

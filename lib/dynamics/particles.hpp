@@ -21,6 +21,7 @@ struct Particles {
   std::vector<double> hardness;               ///< [n] contact stiffness over that of the model, > 0
 
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
+  bool operator==(const Particles&) const = default;
 };
 
 /// The number of particle i, or that of the model where all are alike.

@@ -28,7 +28,7 @@ Packing lattice_layers(const Lattice& lattice, std::int64_t first, std::int64_t 
   Packing ends;  // two corners span all
   append(lattice, 0, ends);
   append(lattice, lattice.size() - 1, ends);
-  packing.part_of = PackingPart{surface_bounds(ends), lattice.size(), {}};
+  packing.part_of = PackingPart{surface_bounds(ends), lattice.size()};
   return packing;
 }
 

@@ -2,7 +2,6 @@
 /// A packing of spheres: what every network is built from.
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +26,6 @@ struct Bounds {
 struct PackingPart {
   Bounds bounds;               ///< m, around the surfaces of all spheres
   std::int64_t particles = 0;  ///< all there are; their ids are 0, 1, 2, ...
-  /// Selections that were looked at, by their place in the case, and whether they hold anybody here: a
-  /// selection must hold somebody somewhere.
-  mutable std::map<std::string, bool> selections;
 };
 
 /// n spheres, structure of arrays, SI units.
@@ -43,6 +39,7 @@ struct Packing {
   std::vector<PackingAttribute> attributes;  ///< in the order of the file
   std::optional<Cell> cell;                  ///< m; the box that the file or the user states
   double length_unit = 1;                    ///< m; of the lengths in the file
+  std::string unit_style;                    ///< that the file is in, as in "micro"; empty = it says none
   std::string format;                        ///< what the file is, in words; empty for a packing from no file
   std::vector<std::string> notes;            ///< how the file was understood
   std::vector<std::string> warnings;         ///< what its user should look at

@@ -90,7 +90,10 @@ double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_
       throw InputError(fmt::format("{}: units is {}; it must be auto or a unit style{}", place,
                                    in_quotes(file.options.units),
                                    suggestion(file.options.units, unit_styles())));
+    packing.unit_style = file.options.units;
     take(StatedUnit{*metres, fmt::format("units {}", file.options.units)});
+  } else if (by_format) {
+    packing.unit_style = by_format->style;
   }
   take(file.stated);
   take(by_format);

@@ -15,7 +15,8 @@ namespace {
 constexpr std::array<std::pair<const char*, double>, 5> lengths = {
     {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"nm", 1e-9}}};
 
-// Source: the LAMMPS command `units`; the electron style counts in Bohr radii (CODATA 2018).
+// Lengths and velocities of unit styles [m], [m/s]. Source: the LAMMPS command `units`; the electron style
+// counts in Bohr radii (CODATA 2018), and what it calls an atomic unit of time is another one elsewhere.
 constexpr std::array<std::pair<const char*, double>, 8> styles = {{{"lj", 0.0},
                                                                    {"real", 1e-10},
                                                                    {"metal", 1e-10},
@@ -24,6 +25,8 @@ constexpr std::array<std::pair<const char*, double>, 8> styles = {{{"lj", 0.0},
                                                                    {"electron", 5.29177210903e-11},
                                                                    {"micro", 1e-6},
                                                                    {"nano", 1e-9}}};
+constexpr std::array<std::pair<const char*, double>, 6> velocities = {
+    {{"real", 1e5}, {"metal", 1e2}, {"si", 1.0}, {"cgs", 1e-2}, {"micro", 1.0}, {"nano", 1.0}}};
 
 template <class Table>
 std::optional<double> look_up(const Table& table, const std::string& name) {
@@ -56,6 +59,10 @@ std::string length_unit_name(double metres) {
 
 std::optional<double> unit_style_length(const std::string& style) {
   return look_up(styles, style);
+}
+
+std::optional<double> unit_style_velocity(const std::string& style) {
+  return look_up(velocities, style);
 }
 
 const std::vector<std::string>& unit_styles() {

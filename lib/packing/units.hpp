@@ -21,6 +21,8 @@ namespace superstep {
 /// Metres per unit of length of a LAMMPS unit style ("si", "cgs", "micro", "nano", "real", "metal",
 /// "electron"); 0 for "lj", which has no dimension; nothing for any other name.
 [[nodiscard]] std::optional<double> unit_style_length(const std::string& style);
+/// Metres per second of a unit of velocity of such a style; nothing where its unit of time is not sure.
+[[nodiscard]] std::optional<double> unit_style_velocity(const std::string& style);
 /// The styles, in the order of their documentation.
 [[nodiscard]] const std::vector<std::string>& unit_styles();
 

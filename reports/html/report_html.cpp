@@ -50,6 +50,7 @@ std::string body_of(const ReportInput& input) {
     out += case_html(input.cases[k], fmt::format("case-{}", k + 1), input.cases.size() == 1);
   if (!input.corpus.empty()) out += corpus_article(input.corpus);
   out += sintering_articles(input.runs);
+  if (!input.press_table.empty()) out += press_table_article(input.press_table);
   std::string rest;
   for (std::size_t k = 0; k < input.other_studies.size(); ++k)
     rest += work_precision_section(input.other_studies[k], fmt::format("study-{}", k + 1));
@@ -83,6 +84,7 @@ std::string heading_of(const ReportInput& input) {
                                                    : input.cases.front().bench.title;
   if (!input.cases.empty()) return fmt::format("{} cases", input.cases.size());
   if (!input.corpus.empty()) return "Which method for which scenes";
+  if (!input.press_table.empty()) return "Hold and densification";
   if (input.runs.empty()) return "Results";
   const std::string& title = input.runs.front().record.title;
   const bool same = std::all_of(input.runs.begin(), input.runs.end(),

@@ -130,8 +130,10 @@ ReportInput read_report_input(const std::string& folder) {
   input.runs = read_runs(folder);
   if (const std::string corpus = folder + "/corpus.csv"; is_regular_file(corpus))
     input.corpus = read_corpus_csv(corpus);
-  if (!input.bench && input.corpus.empty() && input.runs.empty() && input.other_studies.empty() &&
-      !input.stability)
+  if (const std::string table = folder + "/press_table.csv"; is_regular_file(table))
+    input.press_table = read_press_table_csv(table);
+  if (!input.bench && input.corpus.empty() && input.press_table.empty() && input.runs.empty() &&
+      input.other_studies.empty() && !input.stability)
     throw InputError(fmt::format(
         "{}: there is neither results.json nor run.json; write one with superstep bench CASE --out {}",
         folder, folder));

@@ -10,6 +10,7 @@
 
 #include "results/corpus/corpus_row.hpp"
 #include "results/motion_input.hpp"
+#include "results/press/press_table.hpp"
 #include "results/results.hpp"
 #include "results/study/work_precision.hpp"
 #include "results/text/csv_table.hpp"
@@ -45,7 +46,8 @@ struct ReportInput {
   std::vector<WorkPrecision> other_studies;  ///< of cases that the benchmark does not hold
   std::optional<StabilityInput> stability;
   std::vector<RunInput> runs;
-  std::vector<CorpusRow> corpus;  ///< of `superstep bench --corpus`
+  std::vector<CorpusRow> corpus;           ///< of `superstep bench --corpus`
+  std::vector<PressTableRow> press_table;  ///< of `superstep bench --press-table`
 };
 
 /// Throws InputError when the folder holds no results, or broken ones.

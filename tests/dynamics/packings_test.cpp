@@ -104,19 +104,22 @@ TEST(ParticleFile, EveryFormatBringsItsVelocities) {
   }
 }
 
-TEST(ParticleFile, VelocitiesInTinyUnitsOfTimeAreNotGuessed) {
+/// Source of the expected values: the LAMMPS command `units`.
+TEST(ParticleFile, VelocitiesAreInTheUnitsOfTheirStyle) {
   const TemporaryFolder folder;
-  std::string micro = dump;
-  for (std::size_t at = 0; (at = micro.find("ITEM: TIMESTEP", at)) != std::string::npos; at += 30)
-    micro.insert(at, "ITEM: UNITS\nmicro\n");
-  folder.write("p.dump", micro);
-  const auto load = [&](const std::string& more) {
+  const auto load = [&](const std::string& style, const std::string& more = "") {
+    std::string text = dump;
+    for (std::size_t at = 0; (at = text.find("ITEM: TIMESTEP", at)) != std::string::npos; at += 40)
+      text.insert(at, "ITEM: UNITS\n" + style + "\n");
+    folder.write("p.dump", text);
     return load_press(folder.write("case.toml", case_text("file = \"p.dump\"\n" + more)));
   };
-  const std::string message = message_of<InputError>([&] { (void)load(""); });
+  const auto velocity = [](const Press& press) { return press.state.velocity[place_of(press, 7)].y; };
+  EXPECT_DOUBLE_EQ(velocity(load("micro")), 2) << "micrometres a microsecond";
+  EXPECT_DOUBLE_EQ(velocity(load("metal")), 200) << "Angstroms a picosecond";
+  EXPECT_DOUBLE_EQ(velocity(load("micro", "velocity_unit = 0.5\n")), 1) << "the case says otherwise";
+  const std::string message = message_of<InputError>([&] { (void)load("electron"); });
   EXPECT_NE(message.find("velocity_unit"), std::string::npos) << message;
-  const Press press = load("velocity_unit = 1.0\n");  // micrometres a microsecond
-  EXPECT_EQ(press.state.velocity[place_of(press, 7)].y, 2);
 }
 
 TEST(ParticleFile, BondsBesideItAreTakenUp) {

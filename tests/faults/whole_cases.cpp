@@ -240,13 +240,13 @@ Tree press() {
     "stepping": { "scheme": "staggered", "control": "steady", "phi": 0.5, "iterations": 10, "tolerance_position": 5e-4,
       "tolerance_temperature": 5e-4, "power": 2.0, "first_step": 0.001, "largest_step": 0.005,
       "smallest_step": 1e-9, "growth": 2.0, "shrink": 0.1, "fraction": 0.5 } })");
-  tree["dynamics"]["contact"] = law;
-  tree["dynamics"]["wall"] = law;
+  tree["dynamics"]["contact"] = tree["dynamics"]["wall"] = law;
   return tree;
 }
 
 Tree press_of_a_list() {
   Tree tree = press();
+  tree["bench"]["press_table"].erase("seeds");  // only generated particles have them
   tree["electric"]["model"] = "potential";
   tree["electric"]["saturation"] =
       Tree::parse(R"({ "thermal": 1.0, "thermal_slope": 0.01, "temperature": 500.0,

@@ -139,6 +139,22 @@ TEST_F(NetworkFiles, PoreNetworksForParaViewReadAsTheirTables) {
   EXPECT_EQ(pores.labels[0].second, (std::vector<char>{1, 0, 0}));
 }
 
+/// Of two phases, as OpenPNM exports a project.
+TEST_F(NetworkFiles, PoreNetworksSayWhichColumnIsMeant) {
+  const std::string csv =
+      "pore.coords[0],pore.volume,throat.conns[0],throat.conns[1],air.throat.k,water.throat.k\n"
+      "0,1,0,1,2,4\n1,1,1,2,3,5\n2,-1,,,,\n";
+  const std::string file = folder_.write("net.csv", csv);
+  const auto refusal = [&](const std::string& conductance, const std::string& capacity) {
+    return test::message_of<InputError>([&] { (void)read_openpnm(file, conductance, capacity); });
+  };
+  EXPECT_NE(refusal("throat.k", "").find("several are called 'throat.k': air.throat.k, water.throat.k"),
+            std::string::npos);
+  for (const char* whole : {"water.throat.k", "water | throat.k"})
+    EXPECT_EQ(read_openpnm(file, whole, "").input.graph.conductance, (std::vector<double>{4, 5})) << whole;
+  EXPECT_NE(refusal("air.throat.k", "pore.volume").find("net.csv:4: the capacity is -1"), std::string::npos);
+}
+
 TEST_F(NetworkFiles, PoreNetworksForParaViewAreLinesOfTwoPores) {
   const auto refusal = [&](const std::string& text, const std::string& conductance) {
     return test::message_of<InputError>(

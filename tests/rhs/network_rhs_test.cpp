@@ -55,6 +55,29 @@ TEST(NetworkRhs, MatchesTheEdgeList) {
   EXPECT_EQ(problem.rhs->counters().sweeps, 1u);
 }
 
+/// Scenes of which nobody has the whole give back their rows: what is chosen by the facts must not change.
+TEST(NetworkRhs, GivenBackRowsChangeNeitherFactsNorValues) {
+  const Graph graph = random_graph({.nodes = 80, .seed = 6, .contrast = 1e3, .fixed = 4, .sources = true});
+  const Network network = build_network(graph, test::plain_roles(graph));
+  NetworkRhs kept(network, "temperature", "K", 1), given_back(network, "temperature", "K", 1, false);
+  EXPECT_EQ(given_back.network().column.size(), 0u) << "they are given back";
+  EXPECT_EQ(kept.facts().fields[0].nonzeros, network.nonzeros());
+  EXPECT_EQ(given_back.facts().fields[0].nonzeros, network.nonzeros());
+  EXPECT_EQ(given_back.facts().fields[0].source_rate, kept.facts().fields[0].source_rate);
+  const auto y = wave(kept.size(), 0.2);
+  EXPECT_EQ(given_back.spectral_bound(0, y), kept.spectral_bound(0, y));
+  std::vector<double> f(y.size()), g(y.size());
+  kept(0, y, f);
+  given_back(0, y, g);
+  EXPECT_EQ(f, g);
+  std::vector<double> values(kept.pattern().row.size()), others(given_back.pattern().row.size());
+  ASSERT_EQ(values.size(), others.size());
+  kept.jacobian(0, y, values);
+  given_back.jacobian(0, y, others);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    EXPECT_NEAR(others[k], values[k], 1e-12 * 1e4);  // diagonals are summed in another order
+}
+
 TEST(NetworkRhs, FusedStageEqualsItsParts) {
   Problem problem(random_graph({.nodes = 50, .seed = 4, .sources = true}));
   const std::size_t n = problem.rhs->size();

@@ -2,8 +2,10 @@
 /// What commands do with a case of moving particles.
 
 #include <string>
+#include <vector>
 
 #include "bench/app/commands.hpp"
+#include "bench/app/loaded_case.hpp"
 #include "bench/host/progress.hpp"
 #include "case/press/press.hpp"
 
@@ -21,10 +23,10 @@ int info_press(const InfoCommand& command, const Press& press);
 void bench_motion(const BenchCommand& command, const Press& press, const std::string& folder,
                   Progress& progress);
 
-/// superstep bench --press-table: prints the table and writes press_table.csv and press_table.svg into
-/// `folder`.
-void bench_press_table(const BenchCommand& command, const Press& press, const std::string& folder,
-                       Progress& progress);
+/// superstep bench --press-table: prints the table of all presses and writes press_table.csv into `folder`.
+/// Returns the exit code.
+int bench_press_tables(const BenchCommand& command, const std::vector<LoadedCase>& cases,
+                       const std::string& folder);
 
 /// Checks SPECs that may be "staggered" as well: the phi rule inside the iteration. Throws UsageError.
 void check_specs_of_press(const std::vector<std::string>& specs);

@@ -50,13 +50,7 @@ Press with_integrator(Press one, const RunCommand& command, const std::string& s
 void begin(const Press& one, const RunCommand& command, Motion& motion) {
   if (command.restart.empty()) return motion.start(one.state);
   dynamics::Checkpoint stored = dynamics::read_checkpoint(command.restart);
-  const auto& here = one.particles;
-  if (stored.particles.id != here.id || stored.particles.radius != here.radius ||
-      stored.particles.mass != here.mass || stored.particles.material != here.material ||
-      stored.particles.specific_heat != here.specific_heat ||
-      stored.particles.conductivity != here.conductivity ||
-      stored.particles.electric_conductivity != here.electric_conductivity ||
-      stored.particles.hardness != here.hardness || stored.state.size() != here.size())
+  if (stored.particles != one.particles || stored.state.size() != one.particles.size())
     throw InputError(fmt::format("{}: holds other particles than {}; restart with the case that wrote it",
                                  command.restart, one.file));
   dynamics::require_same_model(stored, one.model, command.restart, one.file);

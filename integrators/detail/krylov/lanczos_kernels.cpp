@@ -5,6 +5,15 @@
 namespace superstep {
 namespace {
 
+/// Next vector, the one now, and capacities, from entry i on.
+template <std::size_t width, class Pack>
+SUPERSTEP_INLINE void load_all(const LanczosPass& pass, std::size_t i, Pack& next, Pack& now,
+                               Pack& capacity) {
+  load<width>(pass.next + i, next);
+  load<width>(pass.now + i, now);
+  load<width>(pass.capacity + i, capacity);
+}
+
 template <std::size_t width, class Kept>
 SUPERSTEP_INLINE double keep_and_project(const LanczosPass& pass, double unit, Kept* kept, std::size_t first,
                                          std::size_t last) {
@@ -13,9 +22,7 @@ SUPERSTEP_INLINE double keep_and_project(const LanczosPass& pass, double unit, K
       first, last,
       [&](std::size_t i, Pack & sum) __attribute__((always_inline)) {
         Pack w, v, c;
-        load<width>(pass.next + i, w);
-        load<width>(pass.now + i, v);
-        load<width>(pass.capacity + i, c);
+        load_all<width>(pass, i, w, v, c);
         store<width>(unit * v, kept + i);
         sum += c * w * v;
       },
@@ -32,9 +39,7 @@ SUPERSTEP_INLINE double subtract(const LanczosPass& pass, double part, std::size
       first, last,
       [&](std::size_t i, Pack & sum) __attribute__((always_inline)) {
         Pack w, v, c;
-        load<width>(pass.next + i, w);
-        load<width>(pass.now + i, v);
-        load<width>(pass.capacity + i, c);
+        load_all<width>(pass, i, w, v, c);
         w -= part * v;
         store<width>(w, pass.next + i);
         sum += c * w * w;

@@ -20,6 +20,15 @@ void warn_outside(std::vector<std::string>& out, const char* what, double smalle
 
 }  // namespace
 
+std::string limited_necks_warning(std::size_t limited, std::size_t contacts) {
+  return fmt::format("{} of {} necks were limited to the smaller radius", limited, contacts);
+}
+
+std::string floating_warning(std::size_t clusters, const std::string& field) {
+  return fmt::format("{} cluster(s) without a fixed {} are integrated; what enters them stays", clusters,
+                     field);
+}
+
 std::vector<std::string> range_warnings(const Scene& scene) {
   std::vector<std::string> out;
   if (scene.packed) {
@@ -32,14 +41,12 @@ std::vector<std::string> range_warnings(const Scene& scene) {
     if (packed.packing.size() > 100)
       warn_outside(out, "mean coordination", coordination, coordination, 3, 12, "");
     if (packed.neck_report.limited > 0)
-      out.push_back(fmt::format("{} of {} necks were limited to the smaller radius",
-                                packed.neck_report.limited, packed.contacts.size()));
+      out.push_back(limited_necks_warning(packed.neck_report.limited, packed.contacts.size()));
   }
   for (const auto& field : scene.fields)
     if (field.floating_clusters > 0 && !field.steady && field.graph.convection.empty() &&
         field.graph.radiation.empty())
-      out.push_back(fmt::format("{} cluster(s) without a fixed {} are integrated; what enters them stays",
-                                field.floating_clusters, field.name));
+      out.push_back(floating_warning(field.floating_clusters, field.name));
   return out;
 }
 

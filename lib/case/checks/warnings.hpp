@@ -13,6 +13,10 @@ namespace superstep {
 /// One sentence per finding; empty for a healthy scene.
 [[nodiscard]] std::vector<std::string> range_warnings(const Scene& scene);
 
+/// Parts of the same, for who counts by itself.
+[[nodiscard]] std::string limited_necks_warning(std::size_t limited, std::size_t contacts);
+[[nodiscard]] std::string floating_warning(std::size_t clusters, const std::string& field);
+
 /// Why the sizes of a scene's particles are almost surely a slip in the unit of length, and which unit is
 /// likely; empty for sizes from 10 nm to 1 m and for scenes without particles.
 [[nodiscard]] std::string implausible_sizes(const Scene& scene);

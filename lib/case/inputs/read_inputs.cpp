@@ -16,7 +16,7 @@ constexpr double suspiciously_cold = 100;            // K
 /// Calls each(particle) for all particles that `where` selects.
 template <class Each>
 void for_selected(const TomlValue& where, const PackingInput& input, Each each) {
-  const auto chosen = select_particles(where, input.scene.packing, input.unit);
+  const auto chosen = select_particles(where, input.scene.packing, input.unit, input.selections);
   for (std::size_t k = 0; k < chosen.size(); ++k)
     if (chosen[k]) each(k);
 }

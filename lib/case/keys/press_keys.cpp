@@ -85,7 +85,7 @@ void list_table(KeyList& keys) {
   keys.in("bench", CaseKey::press).table("press_table", "what `superstep bench --press-table` goes through");
   keys.numbers("press_table.hold", 0, positive_number, "s", "how long to hold");
   keys.numbers("press_table.upper_wall", 0, any_number, "m", "lowest heights of the upper wall");
-  keys.list("press_table.seeds", CaseKey::integer, "of the particles");
+  keys.list("press_table.seeds", CaseKey::integer, "of the particles, where they are generated");
 }
 
 void list_phases(KeyList& keys) {
@@ -127,7 +127,7 @@ void list_press_keys(KeyList& keys) {
   keys.text("particles.file", "or a packing in any format");
   keys.text("particles.length_unit", "of that file").fallback = "m";
   keys.number("particles.velocity_unit", positive_number, "m/s", "of its velocities").fallback =
-      "its unit of length per second";
+      "that of its unit style, else its unit of length per second";
   keys.text("particles.bonds", "CSV with i, j, overlap, growth of its bonds");
   keys.numbers("particles.shift", 3, any_number, "m", "added to its centres").fallback = "[0, 0, 0]";
   keys.number("particles.max_overlap", proper_part, "", "at the start, of the sum of two radii").fallback =

@@ -22,16 +22,12 @@ ReadLayers LayerReader::read(std::int64_t first, std::int64_t last, bool contact
   input.unit = unit_;
   input.t_end = head_.t_end;
   input.scene.length_unit = unit_;
+  input.selections = &selections_;
   input.scene.packing = lattice_layers(lattice_, first, last);
   if (contacts) read_contact_table(root_, place_, input);
   Materials materials(root_, input.scene.packing);
   TomlTable thermal = *root_.table("thermal");
   FieldScene field = read_field(thermal_kind(), thermal, input, materials, false);
-  if (const auto& part = input.scene.packing.part_of)
-    for (const auto& [place, somebody] : part->selections) {
-      bool& held = selections_.try_emplace(place).first->second;
-      held = held || somebody;
-    }
   return {std::move(input.scene), std::move(field)};
 }
 

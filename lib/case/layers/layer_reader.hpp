@@ -2,7 +2,6 @@
 /// Some layers of a lattice and what the case says of their spheres, read as if they were a packing of their
 /// own.
 
-#include <map>
 #include <string>
 
 #include "case/read_packing_scene.hpp"
@@ -31,7 +30,7 @@ class LayerReader {
   /// Layers [first, last). Throws InputError; a selection may hold nobody of them.
   [[nodiscard]] ReadLayers read(std::int64_t first, std::int64_t last, bool contacts);
   /// Selections of all that was read, by their place in the case, and whether they held anybody.
-  [[nodiscard]] const std::map<std::string, bool>& selections() const noexcept { return selections_; }
+  [[nodiscard]] const SelectionLog& selections() const noexcept { return selections_; }
 
  private:
   TomlTable root_;
@@ -39,7 +38,7 @@ class LayerReader {
   double unit_ = 1;  // m per length of the case
   Lattice lattice_;
   std::string place_;  // of the lattice in the case
-  std::map<std::string, bool> selections_;
+  SelectionLog selections_;
 };
 
 }  // namespace superstep

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "case/checks/number_ranges.hpp"
+#include "case/checks/skips.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/layers/layer_assembly.hpp"
 #include "case/layers/layer_counts.hpp"
@@ -89,21 +90,17 @@ void list_warnings(const LayeredNodes& nodes, const LayerFacts& facts, std::uint
   Scene one;  // a single sphere says what there is to say about all
   one.packed.emplace().packing = lattice_layers({{1, 1, 1}, 1, nodes.lattice().diameter}, 0, 1);
   scene.warnings = range_warnings(one);
-  if (limited_necks > 0)
-    scene.warnings.push_back(
-        fmt::format("{} of {} necks were limited to the smaller radius", limited_necks, nodes.edges));
+  if (limited_necks > 0) scene.warnings.push_back(limited_necks_warning(limited_necks, at(nodes.edges)));
   if (facts.fixed == 0 && !facts.radiates && !facts.convects)
-    scene.warnings.push_back(fmt::format(
-        "1 cluster(s) without a fixed {} are integrated; what enters them stays", scene.fields.front().name));
+    scene.warnings.push_back(floating_warning(1, scene.fields.front().name));
 }
 
 void list_skips(const LayerFacts& facts, Scene& scene) {
-  if (facts.fixed > 0)
-    scene.skips.push_back({fmt::format("{} fixed nodes", facts.fixed), "their values are known"});
+  if (facts.fixed > 0) scene.skips.push_back(fixed_nodes_skip(facts.fixed, ""));
   scene.skips.push_back({"another order of the rows", "neighbours in a lattice stand near each other"});
-  scene.skips.push_back({"electric field", "the case has no [electric]"});
-  if (!facts.convects) scene.skips.push_back({"convection", "the case has none"});
-  if (!facts.radiates) scene.skips.push_back({"radiation", "the case has none"});
+  scene.skips.push_back(electric_skip());
+  if (!facts.convects) scene.skips.push_back(convection_skip());
+  if (!facts.radiates) scene.skips.push_back(radiation_skip());
 }
 
 /// A field without its nodes, as a single layer describes it.

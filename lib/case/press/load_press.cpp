@@ -76,6 +76,29 @@ void read_motion_window(TomlTable& root, Press& press) {
   press.motion_window = {ends[0], ends[1]};
 }
 
+/// Whether particles are generated: they have a seed then.
+bool generates(TomlTable& root) {
+  auto dynamics = root.table("dynamics");
+  auto particles = dynamics ? dynamics->table("particles") : std::nullopt;
+  return particles && !particles->find("list") && !particles->find("file");
+}
+
+std::vector<std::int64_t> read_seeds(TomlTable& table, bool generated) {
+  if (!generated) {
+    if (const auto seeds = table.find("seeds"))
+      seeds->reject("only generated particles have seeds; remove it, or give [dynamics.particles] a count");
+    return {};
+  }
+  const auto seeds = table.require("seeds", "it lists seeds of the particles");
+  std::vector<std::int64_t> out;
+  for (const auto& seed : seeds.array()) {
+    if (seed.integer() < 0) seed.reject("it must be >= 0");
+    out.push_back(seed.integer());
+  }
+  if (out.empty()) seeds.reject("there must be at least one");
+  return out;
+}
+
 void read_press_table(TomlTable& root, Press& press) {
   auto bench = root.table("bench");
   auto table = bench ? bench->table("press_table") : std::nullopt;
@@ -91,12 +114,7 @@ void read_press_table(TomlTable& root, Press& press) {
   axes.walls = numbers("upper_wall", "it lists lowest heights of the upper wall [m]");
   for (const double hold : axes.holds)
     if (!(hold > 0)) table->find("hold")->reject("every hold must be > 0 s");
-  const auto seeds = table->require("seeds", "it lists seeds of the particles");
-  for (const auto& seed : seeds.array()) {
-    if (seed.integer() < 0) seed.reject("it must be >= 0");
-    axes.seeds.push_back(seed.integer());
-  }
-  if (axes.seeds.empty()) seeds.reject("there must be at least one");
+  axes.seeds = read_seeds(*table, generates(root));
   table->finish();
   press.table = std::move(axes);
 }
@@ -119,9 +137,9 @@ Press load_press(TomlTable root, std::optional<std::uint64_t> seed) {
   Press press;
   read_head(root, press);
   read_motion_window(root, press);
-  read_press_table(root, press);
   ModelInput input = read_model(root, press.t_end, seed);
   read_stepping(*root.table("dynamics"), press);
+  read_press_table(root, press);
   root.finish();
   press.model = std::move(input.model);
   press.particles = std::move(input.particles);

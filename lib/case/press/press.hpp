@@ -26,7 +26,7 @@ struct Press : CaseHead {
   struct Table {
     std::vector<double> holds;        ///< s
     std::vector<double> walls;        ///< lowest heights of the upper wall [m]
-    std::vector<std::int64_t> seeds;  ///< of generated particles
+    std::vector<std::int64_t> seeds;  ///< of generated particles; none of others
   };
   std::optional<Table> table;
 };

@@ -57,18 +57,14 @@ double value_at(const PackingAttribute& column, const Packing& packing, std::siz
   return value;
 }
 
-/// Particle codes whose unit of length is tiny count time in tiny units, too.
-void require_known_unit(const Packing& packing, const std::string& path) {
-  const bool lammps = packing.format.find("LAMMPS") != std::string::npos;
-  const bool seconds =
-      packing.length_unit == *unit_style_length("si") || packing.length_unit == *unit_style_length("cgs");
-  if (lammps && !seconds && !packing.notes.empty() &&
-      std::any_of(packing.notes.begin(), packing.notes.end(),
-                  [](const std::string& note) { return note.find("units ") != std::string::npos; }))
-    throw InputError(
-        fmt::format("{}: its velocities are in a unit style whose time is not in seconds; say what one of "
-                    "them is in m/s: [dynamics.particles] velocity_unit",
-                    path));
+/// Metres per second of a unit of velocity in the file.
+double velocity_unit(const Packing& packing, const std::string& path) {
+  if (packing.unit_style.empty() || packing.unit_style == "lj") return packing.length_unit;
+  if (const auto known = unit_style_velocity(packing.unit_style)) return *known;
+  throw InputError(
+      fmt::format("{}: its velocities are in units {}, whose unit of time is not sure; say what one of them "
+                  "is in m/s: [dynamics.particles] velocity_unit",
+                  path, packing.unit_style));
 }
 
 [[noreturn]] void unknown(const CsvReader& rows, std::int64_t id) {
@@ -81,8 +77,7 @@ Kinematics read_kinematics(const std::string& path, const Packing& packing, std:
   Kinematics out;
   const Axes axes = velocity_columns(packing);
   if (axes[0] || axes[1] || axes[2]) {
-    if (!unit) require_known_unit(packing, path);
-    const double metres_per_second = unit.value_or(packing.length_unit);
+    const double metres_per_second = unit ? *unit : velocity_unit(packing, path);
     const char* names[] = {"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!axes[axis] && !(axis == 2 && is_flat(packing)))

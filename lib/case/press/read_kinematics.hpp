@@ -18,8 +18,9 @@ struct Kinematics {
 
 /// From the columns of the packing at `path`, whatever its format: vx vy vz, velocity:0..2 and the like;
 /// temperature, Temp, T, f_Temp, f_Temp[0]. Throws InputError for what is no number, for a velocity with an
-/// axis missing, and for one in a unit style whose time is not in seconds.
-///   unit  m/s per unit of velocity; nothing = the file's unit of length per second
+/// axis missing, and for one in a unit style whose unit of time is not sure.
+///   unit  m/s per unit of velocity; nothing = that of the file's unit style, else its unit of length per
+///         second
 [[nodiscard]] Kinematics read_kinematics(const std::string& path, const Packing& packing,
                                          std::optional<double> unit);
 

@@ -14,28 +14,14 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-/// A column by the end of its name, since OpenPNM puts the network's name before it
-/// ("net_01.pore.coords[0]").
-std::size_t find(const DelimitedTable& table, const std::string& name) {
-  for (std::size_t k = 0; k < table.names().size(); ++k) {
-    const std::string& column = table.names()[k];
-    if (column == name) return k;
-    if (column.size() > name.size() && column.ends_with(name)) {
-      const char before = column[column.size() - name.size() - 1];
-      if (before == '.' || before == ' ' || before == '|') return k;
-    }
-  }
-  return none;
-}
-
 std::size_t need(const DelimitedTable& table, const std::string& name) {
-  const std::size_t column = find(table, name);
-  if (column == none)
+  const auto column = find_name(table.names(), name, table.where());
+  if (!column)
     throw InputError(
         fmt::format("{}: there is no column '{}'; a pore network in CSV has it among its columns pore.* and "
                     "throat.*: export it, or name another",
                     table.where(), name));
-  return column;
+  return *column;
 }
 
 bool is_gap(std::string_view cell) {
@@ -92,18 +78,18 @@ PoreNetwork pores_of_table(const std::string& file, const std::string& text, con
                     size = capacity.empty() ? none : need(table, capacity);
   PoreNetwork network;
   Labels labels(table, network);
-  std::vector<double> capacities;
+  std::vector<Pore> pores;
   std::vector<Throat> throats;
   while (table.next()) {  // columns of pores and of throats stand side by side, the shorter ones padded
     if (!is_gap(table.cells()[position])) {
-      capacities.push_back(size == none ? 1.0 : number(table, size));
+      pores.push_back({size == none ? 1.0 : number(table, size), table.line()});
       labels.add(table);
     }
     if (is_gap(table.cells()[first])) continue;
     throats.push_back({pore(table, first), pore(table, second), number(table, value), table.line()});
   }
   labels.drop_what_is_none();
-  join_pores(file, capacities, throats, network);
+  join_pores(file, pores, throats, network);
   return network;
 }
 

@@ -14,8 +14,9 @@ namespace superstep {
 
 /// A unit of length that somebody states.
 struct StatedUnit {
-  double metres = 0;  ///< 0: without dimension
-  std::string words;  ///< as in "um, as line 1 says"
+  double metres = 0;       ///< 0: without dimension
+  std::string words;       ///< as in "um, as line 1 says"
+  std::string style = {};  ///< unit style that it belongs to, if any
 };
 
 /// What a reader is given.

@@ -46,10 +46,10 @@ std::optional<StatedUnit> unit_in_title(std::string_view title) {
   const std::size_t at = title.find(key);
   if (at == std::string_view::npos) return std::nullopt;
   std::string_view style = title.substr(at + key.size());
-  style = style.substr(0, style.find_first_of(" ,\t"));
-  const auto metres = unit_style_length(std::string(style));
+  const std::string name(style.substr(0, style.find_first_of(" ,\t")));
+  const auto metres = unit_style_length(name);
   if (!metres) return std::nullopt;
-  return StatedUnit{*metres, fmt::format("units {}, as the title says", style)};
+  return StatedUnit{*metres, fmt::format("units {}, as the title says", name), name};
 }
 
 /// Everything above the rows of section Atoms.

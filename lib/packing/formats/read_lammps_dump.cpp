@@ -64,7 +64,7 @@ std::optional<StatedUnit> stated_unit(const PackingFile& file) {
         fmt::format("{}:{}: the units are {}, which is no unit style of LAMMPS; mend the line, or remove it "
                     "and give length_unit",
                     file.path, line + 1, in_quotes(style)));
-  return StatedUnit{*metres, fmt::format("units {}, as line {} says", style, line + 1)};
+  return StatedUnit{*metres, fmt::format("units {}, as line {} says", style, line + 1), style};
 }
 
 /// `ITEM: BOX BOUNDS` with its three lines: orthogonal, tilted (xy xz yz), or three free edges (abc origin).

@@ -202,6 +202,7 @@ Packing SphereRows::finish() {
   const std::vector<std::size_t> lines = builder_.lines();
   Packing packing = builder_.finish();
   packing.length_unit = unit_;
+  packing.unit_style = std::move(head_.unit_style);
   packing.notes = std::move(head_.notes);
   packing.warnings = std::move(head_.warnings);
   note_columns(packing);

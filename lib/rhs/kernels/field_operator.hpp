@@ -42,9 +42,8 @@ auto only_here(Add add) {
 
 class FieldOperator {
  public:
-  ///   keep_network  false: the memory of its rows is given back, of which sweeps have rates of their own;
-  ///   then no
-  ///                 new conductances can be set
+  ///   keep_network  false: its rows are given back, of which sweeps have rates of their own, and no new
+  ///                 conductances can be set
   explicit FieldOperator(Network network, bool keep_network = true);
 
   [[nodiscard]] std::size_t size() const noexcept { return network_.size(); }

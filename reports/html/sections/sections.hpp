@@ -44,6 +44,8 @@ struct TimeUnit {
 [[nodiscard]] std::string stability_section(const StabilityInput& input);
 /// Everything about a corpus; the rows must outlive the call.
 [[nodiscard]] std::string corpus_article(std::span<const CorpusRow> rows);
+/// Presses of several beds: springback over hold and densification.
+[[nodiscard]] std::string press_table_article(std::span<const PressTableRow> rows);
 [[nodiscard]] std::string runs_section(std::span<const RunInput> runs);
 /// Articles of the runs with moving particles, and one that compares them when there are several.
 [[nodiscard]] std::string sintering_articles(std::span<const RunInput> runs);

@@ -1,0 +1,24 @@
+#pragma once
+/// What scenes of every kind may do without, in words.
+
+#include <fmt/format.h>
+
+#include "case/scene.hpp"
+
+namespace superstep {
+
+///   of_field  as in " of the potential" where there are several; else empty
+[[nodiscard]] inline Skip fixed_nodes_skip(std::int64_t nodes, const std::string& of_field) {
+  return {fmt::format("{} fixed nodes{}", nodes, of_field), "their values are known"};
+}
+[[nodiscard]] inline Skip electric_skip() {
+  return {"electric field", "the case has no [electric]"};
+}
+[[nodiscard]] inline Skip convection_skip() {
+  return {"convection", "the case has none"};
+}
+[[nodiscard]] inline Skip radiation_skip() {
+  return {"radiation", "the case has none"};
+}
+
+}  // namespace superstep
