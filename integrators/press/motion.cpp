@@ -202,7 +202,7 @@ void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::i
 }
 
 Outcome Motion::check() const {
-  for (const auto& contact : network_.placement().walls) {
+  for (const auto& contact : network_.walls()) {
     if (!(contact.distance < 0)) continue;
     const Vec3& at = state_.position[static_cast<std::size_t>(contact.particle)];
     return {

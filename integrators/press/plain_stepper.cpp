@@ -19,7 +19,7 @@ PlainStepper::PlainStepper(const SteppingSettings& settings, MovingNetwork& netw
 }
 
 void PlainStepper::begin(const State& state) {
-  wall_force_ = network_.forces(state.velocity, state.temperature, force_);
+  wall_force_ = network_.forces(state.velocity, state.temperature, force_, PairDetail::whole);
   if (!bridge_) network_.rates(state.temperature, rate_);
   limit_ = fraction_ * network_.explicit_limit(state.temperature);
 }

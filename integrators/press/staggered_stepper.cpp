@@ -32,7 +32,7 @@ StaggeredStepper::StaggeredStepper(const SteppingSettings& settings, MovingNetwo
 }
 
 void StaggeredStepper::begin(const State& state) {
-  wall_force_ = network_.forces(state.velocity, state.temperature, force_begin_);
+  wall_force_ = network_.forces(state.velocity, state.temperature, force_begin_, PairDetail::whole);
   if (!bridge_) network_.rates(state.temperature, rate_begin_);
   // The iteration contracts up to the limit of explicit schemes. Its bound counts the contacts of a particle
   // as if all pushed along one line; in beds the limit lies two to three times higher.

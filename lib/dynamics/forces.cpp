@@ -46,13 +46,13 @@ double wall_push(const Model& model, const Particles& particles, const WallConta
 
 double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
                   std::span<const WallContact> walls, double upper_wall_velocity,
-                  std::span<const Vec3> velocity, std::span<const double> temperature, PairForces& room,
-                  std::span<Vec3> force) {
+                  std::span<const Vec3> velocity, std::span<const double> temperature, PairDetail detail,
+                  PairForces& room, std::span<Vec3> force) {
   for_each_entry(force.size(), [&](std::size_t i) {
     force[i] =
         weight(particles.mass[i], model.gravity) + drag_force(model.drag, particles.radius[i], velocity[i]);
   });
-  add_pair_forces(model.contact, contacts.table(), velocity, temperature, room, force,
+  add_pair_forces(model.contact, contacts.table(), velocity, temperature, detail, room, force,
                   [&]() -> const Incidence& { return contacts.incidence(); });
   double on_upper_wall = 0;
   for (const auto& contact : walls) {
@@ -69,8 +69,9 @@ double sum_forces(const Model& model, const Particles& particles, const ContactP
 }
 
 double explicit_step_limit(const Model& model, const Particles& particles, const ContactPoints& contacts,
-                           std::span<const WallContact> walls, std::span<const double> temperature,
-                           std::vector<double>& stiffness, std::vector<double>& damping) {
+                           const PairForces& pairs, std::span<const WallContact> walls,
+                           std::span<const double> temperature, std::vector<double>& stiffness,
+                           std::vector<double>& damping) {
   const std::size_t n = particles.size();
   stiffness.assign(n, 0.0);
   damping.assign(n, 0.0);
@@ -81,15 +82,8 @@ double explicit_step_limit(const Model& model, const Particles& particles, const
       damping[p] += 2 * resistance;
     }
   };
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    if (!(table.strain[k] < 0)) continue;
-    const double push =
-        table.hardness[k] * contact_force(model.contact, table.strain[k], table.area[k],
-                                          0.5 * (temperature[at(table.i[k])] + temperature[at(table.j[k])]));
-    add(k, contact_slope(push, model.contact.exponent, -table.strain[k], table.radius_sum[k]),
-        damping_of(model.contact, push, table.strain[k], table.radius_sum[k], table.reduced_mass[k]) +
-            model.contact.friction * push / model.contact.friction_speed);
-  }
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table.strain[k] < 0) add(k, pairs.slope[k], pairs.resistance[k]);
   const BondArrays& bonds = contacts.bonded();
   for (std::size_t b = 0; b < bonds.size(); ++b)
     add(bonds.pair[b], bonds.slope[b], table.damping[bonds.pair[b]]);

@@ -31,15 +31,17 @@ struct Placement {
 /// the normal force on the upper wall [N].
 double sum_forces(const Model& model, const Particles& particles, const ContactPoints& contacts,
                   std::span<const WallContact> walls, double upper_wall_velocity,
-                  std::span<const Vec3> velocity, std::span<const double> temperature, PairForces& room,
-                  std::span<Vec3> force);
+                  std::span<const Vec3> velocity, std::span<const double> temperature, PairDetail detail,
+                  PairForces& room, std::span<Vec3> force);
 
 /// Longest step of a plain explicit scheme [s] by Gershgorin's bound on stiffness and damping over mass at
 /// this instant; infinity where nothing acts. Oscillations limit it to 2/omega, damping to 2 m/c; both
 /// together are bounded by 1/(1/h_1 + 1/h_2).
+///   pairs               whole, of this instant
 ///   stiffness, damping  [n] scratch
 [[nodiscard]] double explicit_step_limit(const Model& model, const Particles& particles,
-                                         const ContactPoints& contacts, std::span<const WallContact> walls,
+                                         const ContactPoints& contacts, const PairForces& pairs,
+                                         std::span<const WallContact> walls,
                                          std::span<const double> temperature, std::vector<double>& stiffness,
                                          std::vector<double>& damping);
 

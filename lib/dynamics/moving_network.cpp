@@ -55,10 +55,10 @@ void MovingNetwork::act_bonds(std::span<const double> temperature, StepPart step
 }
 
 double MovingNetwork::forces(std::span<const Vec3> velocity, std::span<const double> temperature,
-                             std::span<Vec3> force) {
+                             std::span<Vec3> force, PairDetail detail) {
   const PartTimer timer(times.forces);
   return sum_forces(model_, particles_, contacts_, wall_contacts_, upper_wall_velocity_, velocity,
-                    temperature, pair_forces_, force);
+                    temperature, detail, pair_forces_, force);
 }
 
 void MovingNetwork::rates(std::span<const double> temperature, std::span<double> rate) {
@@ -119,8 +119,8 @@ Network MovingNetwork::frozen_network() const {
 
 double MovingNetwork::explicit_limit(std::span<const double> temperature) {
   const PartTimer timer(times.forces);
-  return explicit_step_limit(model_, particles_, contacts_, wall_contacts_, temperature, stiffness_,
-                             damping_);
+  return explicit_step_limit(model_, particles_, contacts_, pair_forces_, wall_contacts_, temperature,
+                             stiffness_, damping_);
 }
 
 }  // namespace superstep::dynamics

@@ -32,7 +32,9 @@ class MovingNetwork {
   void place(std::span<const Vec3> position, std::span<const double> temperature, const Phase& phase,
              double t, StepPart step = {});
   /// Sum of the forces at the instant last placed [N]; returns the normal force on the upper wall [N].
-  double forces(std::span<const Vec3> velocity, std::span<const double> temperature, std::span<Vec3> force);
+  ///   detail  whole: `explicit_limit` and `powers_of` may follow, of the same velocities and temperatures
+  double forces(std::span<const Vec3> velocity, std::span<const double> temperature, std::span<Vec3> force,
+                PairDetail detail = PairDetail::forces);
   /// Temperature rates at the instant last placed, with the current of the last `settle` [K/s].
   void rates(std::span<const double> temperature, std::span<double> rate);
 
@@ -51,10 +53,13 @@ class MovingNetwork {
   [[nodiscard]] Placement placement() const noexcept {
     return {contacts_.points(), wall_contacts_, upper_wall_velocity_};
   }
+  [[nodiscard]] std::span<const WallContact> walls() const noexcept { return wall_contacts_; }
+  [[nodiscard]] double upper_wall_velocity() const noexcept { return upper_wall_velocity_; }  ///< m/s
+  [[nodiscard]] const PairForces& pair_forces() const noexcept { return pair_forces_; }
   [[nodiscard]] Held held() const noexcept { return held_; }
   [[nodiscard]] const CurrentField& current() const noexcept { return current_; }
   [[nodiscard]] Network frozen_network() const;
-  /// Longest stable explicit step [s] at the instant last placed.
+  /// Longest stable explicit step [s] where the forces were last taken whole.
   [[nodiscard]] double explicit_limit(std::span<const double> temperature);
 
   PartTimes times;

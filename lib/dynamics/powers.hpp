@@ -17,7 +17,7 @@ struct Powers {
   double heat_lost = 0;   ///< from those into walls and into particles that walls hold at their temperature
 };
 
-/// Powers of the forces and fluxes at the instant that the network was last placed.
+/// Powers of the forces and fluxes at the instant for which the network last took its forces whole.
 [[nodiscard]] Powers powers_of(const MovingNetwork& network, std::span<const Vec3> velocity,
                                std::span<const double> temperature);
 

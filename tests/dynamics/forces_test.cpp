@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/moving_network.hpp"
+#include "dynamics/powers.hpp"
 #include "press.hpp"
 
 namespace superstep {
@@ -96,6 +97,41 @@ TEST(Forces, AgreeWithTheEquationsTermByTerm) {
   EXPECT_GT(on_wall, 0);
 }
 
+/// Sum of force times velocity, straight from the equations; the walls stand still.
+double obvious_power(const Model& model, const Cloud& cloud, double upper_wall) {
+  double sum = 0;
+  for (std::size_t i = 0; i < cloud.particles.size(); ++i)
+    sum += dot(obvious_force(model, cloud, i, upper_wall, 0), cloud.state.velocity[i]);
+  return sum;
+}
+
+TEST(Forces, PowersAreThoseOfTheForces) {
+  Model model = busy_model();
+  Phase standing = model.schedule.phases().front();
+  standing.upper_wall_begin = standing.upper_wall = 0.35;
+  model.schedule = Schedule({standing});
+  Cloud cloud = random_cloud(150, 0.34, 3);
+  MovingNetwork network(model, cloud.particles);
+  network.resume(cloud.state, model.schedule.at(0));
+  network.settle(cloud.state, model.schedule.at(0));
+  ASSERT_GT(cloud.state.bonds.size(), 10U) << "bonds take part";
+  std::vector<Vec3> force(cloud.particles.size());
+  (void)network.forces(cloud.state.velocity, cloud.state.temperature, force, PairDetail::whole);
+  const Powers powers = powers_of(network, cloud.state.velocity, cloud.state.temperature);
+  // What is left of the forces without weight, drag, damping and friction is elastic; the rest dissipates.
+  Model bare = model;
+  bare.gravity = 0;
+  bare.drag = {};
+  for (ContactLaw* law : {&bare.contact, &bare.wall}) law->friction = law->damping = 0;
+  const double elastic = -obvious_power(bare, cloud, 0.35);
+  const double dissipated = powers.weight - elastic - obvious_power(model, cloud, 0.35);
+  const double rounding = 1e-11 * (std::abs(elastic) + dissipated);
+  EXPECT_GT(dissipated, 0.01 * std::abs(elastic)) << "there is something to see";
+  EXPECT_NEAR(powers.elastic, elastic, rounding);
+  EXPECT_NEAR(powers.dissipated, dissipated, rounding);
+  EXPECT_EQ(powers.wall, 0);
+}
+
 TEST(Forces, PairForcesCancelInTheSum) {
   Model model = busy_model();
   model.gravity = 0;
@@ -127,6 +163,8 @@ TEST(Forces, ExplicitLimitIsThatOfAPairWhereItIsExact) {
   cloud.add({r * (1 - e), 0, 0});
   MovingNetwork network(model, cloud.particles);
   network.resume(cloud.state, model.schedule.at(0));
+  std::vector<Vec3> force(2);
+  (void)network.forces(cloud.state.velocity, cloud.state.temperature, force, PairDetail::whole);
   const double dx = 1e-9, step = 2 * r * e;
   const auto force_at = [&](double overlap) {
     const double strain = overlap / (2 * r);

@@ -89,6 +89,7 @@ BondedPair neck_pair(double overlap) {
           .mobility = 0.7,
           .contact_area = overlap > 0 ? 2e-3 * overlap : 0,
           .bond_area = 3e-3,
+          .neck = 0.6,
           .radius_sum = 0.15,
           .reduced_mass = 2};
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/index.hpp"
+#include "dynamics/contacts/vector_loops.hpp"
 #include "dynamics/laws/bonds/overlap_bond.hpp"
 #include "dynamics/laws/bonds/rest_length_bond.hpp"
 #include "dynamics/laws/bonds/tension_bond.hpp"
@@ -11,53 +12,128 @@
 namespace superstep::dynamics {
 namespace {
 
-BondedPair pair_of(const BondSurroundings& around, const ContactTable& table, std::size_t k) noexcept {
-  const std::size_t i = at(table.i[k]), j = at(table.j[k]);
-  const double temperature = 0.5 * (around.temperature[i] + around.temperature[j]);
-  const double strain = table.strain[k];
-  return {.strain = strain,
-          .temperature = temperature,
-          .pressure = strain < 0 ? softened(around.contact.stiffness, around.contact.softening, temperature) *
-                                       strain_power(-strain, around.contact.exponent) * table.hardness[k]
-                                 : 0,
-          .mobility = around.mobility.empty() ? 1 : around.mobility[i] * around.mobility[j],
-          .contact_area = table.area[k],
-          .bond_area = 0,
-          .radius_sum = table.radius_sum[k],
-          .reduced_mass = table.reduced_mass[k]};
+using Block = std::array<double, pairs_per_block>;
+
+/// Bonds side by side: what is gathered for them, what they remember, and what they do.
+struct BondBlock {
+  Block strain, temperature, power, mobility;  // power: |E|^p of the contact, 0 without overlap
+  Block area, radius_sum, square_i, square_j, mass, hardness;
+  Block overlap, growth, rate;  // as the step began; overlap and growth become those of the instant
+  Block rate_now, neck;
+  Block keep, pull, damping, flow, slope;
+};
+
+void gather(const BondSurroundings& around, const BondArrays& bonds, const ContactTable& table,
+            std::size_t first, std::size_t count, BondBlock& b) {
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t k = bonds.pair[first + n];
+    const std::size_t i = at(table.i[k]), j = at(table.j[k]);
+    b.strain[n] = table.strain[k];
+    b.temperature[n] = 0.5 * (around.temperature[i] + around.temperature[j]);
+    b.power[n] = strain_power(std::max(-table.strain[k], 0.0), around.contact.exponent);
+    b.mobility[n] = around.mobility.empty() ? 1 : around.mobility[i] * around.mobility[j];
+    b.area[n] = table.area[k];
+    b.radius_sum[n] = table.radius_sum[k];
+    b.square_i[n] = table.square[k];
+    b.square_j[n] = table.square[k] + table.square_difference[k];
+    b.mass[n] = table.reduced_mass[k];
+    b.hardness[n] = table.hardness[k];
+    b.overlap[n] = bonds.begin[first + n].overlap;
+    b.growth[n] = bonds.begin[first + n].growth;
+    b.rate[n] = bonds.rate[first + n];
+    b.rate_now[n] = b.neck[n] = 0;
+  }
 }
 
-double area_at(const ContactTable& table, std::size_t k, double overlap) noexcept {
-  return circle_area(table.radius_sum[k] * (1 - overlap), table.square[k],
-                     table.square[k] + table.square_difference[k]);
+void scatter(const BondBlock& b, std::size_t first, std::size_t count, BondArrays& bonds,
+             ContactTable& table) {
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t k = bonds.pair[first + n];
+    bonds.now[first + n] = {b.overlap[n], b.growth[n]};
+    bonds.rate_now[first + n] = b.rate_now[n];
+    bonds.slope[first + n] = b.slope[n];
+    table.keep[k] = b.keep[n];
+    table.pull[k] = b.pull[n];
+    table.damping[k] = b.damping[n];
+    table.flow[k] = b.flow[n];
+  }
+}
+
+[[gnu::always_inline]] inline BondedPair pair_of(const ContactLaw& contact, const BondBlock& b,
+                                                 std::size_t n) noexcept {
+  return {.strain = b.strain[n],
+          .temperature = b.temperature[n],
+          .pressure =
+              softened(contact.stiffness, contact.softening, b.temperature[n]) * b.power[n] * b.hardness[n],
+          .mobility = b.mobility[n],
+          .contact_area = b.area[n],
+          .bond_area = circle_area(b.radius_sum[n] * (1 - b.overlap[n]), b.square_i[n], b.square_j[n]),
+          .neck = b.neck[n],
+          .radius_sum = b.radius_sum[n],
+          .reduced_mass = b.mass[n]};
+}
+
+/// Largest overlaps and necks of the instant.
+template <class Law>
+SUPERSTEP_CLONES void remember(const BondSurroundings& around, BondBlock& b, std::size_t count) {
+  const BondLaw law = around.law;
+  const ContactLaw contact = around.contact;
+  const StepPart step = around.step;
+#pragma GCC ivdep
+  for (std::size_t n = 0; n < count; ++n) {
+    b.overlap[n] = std::max(b.overlap[n], -b.strain[n]);
+    if constexpr (Law::grows) {
+      b.rate_now[n] = Law::rate(law, pair_of(contact, b, n), {b.overlap[n], b.growth[n]});
+      b.growth[n] = grown(b.growth[n], b.rate[n], b.rate_now[n], step.h, step.phi);
+    }
+  }
+}
+
+template <class Law>
+SUPERSTEP_CLONES void act_block(const BondSurroundings& around, BondBlock& b, std::size_t count) {
+  const BondLaw law = around.law;
+  const ContactLaw contact = around.contact;
+#pragma GCC ivdep
+  for (std::size_t n = 0; n < count; ++n) {
+    const BondAction action = Law::act(law, pair_of(contact, b, n), {b.overlap[n], b.growth[n]});
+    b.keep[n] = action.keep;
+    b.pull[n] = action.pull;
+    b.damping[n] = action.damping;
+    b.flow[n] = action.area / (b.radius_sum[n] * (1 + b.strain[n]));
+    b.slope[n] = action.slope;
+  }
 }
 
 template <class Law>
 void act(const BondSurroundings& around, BondArrays& bonds, ContactTable& table, std::size_t first,
          std::size_t last) {
-  for (std::size_t b = first; b < last; ++b) {
-    const std::size_t k = bonds.pair[b];
-    BondedPair pair = pair_of(around, table, k);
-    BondMemory memory = bonds.begin[b];
-    memory.overlap = std::max(memory.overlap, -pair.strain);
-    pair.bond_area = area_at(table, k, memory.overlap);
-    if constexpr (Law::grows) {
-      bonds.rate_now[b] = Law::rate(around.law, pair, memory);
-      memory.growth = grown(memory.growth, bonds.rate[b], bonds.rate_now[b], around.step.h, around.step.phi);
-    }
-    bonds.now[b] = memory;
-    const BondAction action = Law::act(around.law, pair, memory);
-    bonds.slope[b] = action.slope;
-    table.keep[k] = action.keep;
-    table.pull[k] = action.pull;
-    table.damping[k] = action.damping;
-    table.flow[k] = action.area / (table.radius_sum[k] * (1 + pair.strain));
+  BondBlock b;
+  for (std::size_t begin = first; begin < last; begin += pairs_per_block) {
+    const std::size_t count = std::min(pairs_per_block, last - begin);
+    gather(around, bonds, table, begin, count, b);
+    remember<Law>(around, b, count);
+    if constexpr (Law::grows)
+      for (std::size_t n = 0; n < count; ++n) b.neck[n] = neck_part(around.law.growth, b.growth[n]);
+    act_block<Law>(around, b, count);
+    scatter(b, begin, count, bonds, table);
   }
 }
 
 template <class Law>
+bool any_switches(const BondLaw& law, const BondArrays& bonds, const ContactTable& table) {
+  std::size_t b = 0;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const bool bonded = b < bonds.size() && bonds.pair[b] == k;
+    const double margin = Law::margin(law, table.strain[k], bonded ? bonds.now[b] : BondMemory{}, bonded);
+    if (bonded ? margin < 0 : margin <= 0) return true;
+    b += bonded ? 1 : 0;
+  }
+  return false;
+}
+
+template <class Law>
 constexpr BondKind kind(BondRule rule) {
-  return {rule, Law::name, Law::smooth, Law::grows, &Law::margin, &act<Law>};
+  return {rule, Law::name, Law::smooth, Law::grows, &Law::margin, &any_switches<Law>, &act<Law>};
 }
 
 constexpr std::array kinds = {

@@ -47,6 +47,8 @@ struct BondKind {
   bool grows;             ///< has a neck that needs temperatures
   /// > 0 while the pair stays as it is; <= 0 forms a bond, < 0 breaks it.
   double (*margin)(const BondLaw&, double strain, BondMemory, bool bonded);
+  /// Whether any pair of the table would form a bond, or break its own.
+  bool (*any_switches)(const BondLaw&, const BondArrays&, const ContactTable&);
   /// Takes the bonds [first, last) to the instant and puts what they do into the table.
   void (*act)(const BondSurroundings&, BondArrays&, ContactTable&, std::size_t first, std::size_t last);
 };

@@ -101,6 +101,19 @@ void ContactPoints::act(const BondSurroundings& around) {
 
 void ContactPoints::update_bonds() {
   if (!law_.acts()) return;
+  if (kind_.any_switches(law_, arrays_, table_)) {
+    switch_bonds();
+  } else {
+    for (std::size_t n = 0; n < bonds_.size(); ++n) {
+      bonds_[n].overlap = arrays_.now[n].overlap;
+      bonds_[n].growth = arrays_.now[n].growth;
+    }
+  }
+  begin_bonds();
+  points_stand_ = false;
+}
+
+void ContactPoints::switch_bonds() {
   std::vector<Bond> kept;
   std::size_t b = 0;
   for (std::size_t k = 0; k < table_.size(); ++k) {
@@ -118,11 +131,14 @@ void ContactPoints::update_bonds() {
   bonds_ = std::move(kept);
   arrays_.resize(bonds_.size());
   find_bonds();
+}
+
+/// What the bonds remember is what the step begins with.
+void ContactPoints::begin_bonds() {
   for (std::size_t n = 0; n < bonds_.size(); ++n) {
     arrays_.begin[n] = arrays_.now[n] = {bonds_[n].overlap, bonds_[n].growth};
     arrays_.rate[n] = 0;
   }
-  points_stand_ = false;
 }
 
 void ContactPoints::begin_step() {
@@ -132,10 +148,7 @@ void ContactPoints::begin_step() {
 void ContactPoints::set_bonds(std::span<const Bond> bonds) {
   bonds_.assign(bonds.begin(), bonds.end());
   arrays_.resize(bonds_.size());
-  for (std::size_t n = 0; n < bonds_.size(); ++n) {
-    arrays_.begin[n] = arrays_.now[n] = {bonds_[n].overlap, bonds_[n].growth};
-    arrays_.rate[n] = 0;
-  }
+  begin_bonds();
   picked_.clear();  // the table has to hold their pairs
 }
 

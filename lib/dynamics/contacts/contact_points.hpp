@@ -61,6 +61,8 @@ class ContactPoints {
  private:
   void pick(std::span<const Vec3> position);
   void find_bonds();
+  void switch_bonds();
+  void begin_bonds();
 
   BondLaw law_;
   const BondKind& kind_;

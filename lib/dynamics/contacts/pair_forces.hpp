@@ -10,9 +10,19 @@
 
 namespace superstep::dynamics {
 
-/// Room for the forces of all pairs [N].
+/// Room for what all pairs do.
 struct PairForces {
-  std::vector<double> x, y, z;
+  std::vector<double> x, y, z;  ///< on i [N]
+  // Of the last call that asked for the whole.
+  std::vector<double> elastic;     ///< power that contact and bond take up [W]
+  std::vector<double> dissipated;  ///< in damping and friction [W]
+  std::vector<double> slope;       ///< of the repulsion with the overlap [N/m]
+  std::vector<double> resistance;  ///< bound of the slope of damping and friction with the speed [kg/s]
+};
+
+enum class PairDetail : char {
+  forces,
+  whole,  ///< with powers and slopes, which a step needs where it begins
 };
 
 /// Adds the forces of all pairs to those of their particles: repulsion, damping and friction of the contact,
@@ -21,7 +31,7 @@ struct PairForces {
 /// for any number of threads.
 ///   incidence  of the table; asked for when threads take part
 void add_pair_forces(const ContactLaw& law, const ContactTable& table, std::span<const Vec3> velocity,
-                     std::span<const double> temperature, PairForces& room, std::span<Vec3> force,
-                     const std::function<const Incidence&()>& incidence);
+                     std::span<const double> temperature, PairDetail detail, PairForces& room,
+                     std::span<Vec3> force, const std::function<const Incidence&()>& incidence);
 
 }  // namespace superstep::dynamics

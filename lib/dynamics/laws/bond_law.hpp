@@ -40,6 +40,7 @@ struct BondedPair {
   double mobility;      ///< product of the two Arrhenius roots
   double contact_area;  ///< m2; 0 without overlap
   double bond_area;     ///< of the contact at the largest overlap that the bond has seen [m2]
+  double neck;          ///< part of that circle which its neck fills
   double radius_sum;    ///< m
   double reduced_mass;  ///< kg
 };

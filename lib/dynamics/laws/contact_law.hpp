@@ -34,9 +34,8 @@ struct ContactLaw {
 /// then stays pi r^2 of that sphere, so that the force does not let go.
 [[nodiscard]] inline double circle_area(double distance, double square_i, double square_j) noexcept {
   const double to_plane = 0.5 * (distance - (square_j - square_i) / distance);
-  if (to_plane <= 0) return std::numbers::pi * square_i;
-  if (to_plane >= distance) return std::numbers::pi * square_j;
-  return std::numbers::pi * std::max(square_i - to_plane * to_plane, 0.0);
+  const double inside = std::max(square_i - to_plane * to_plane, 0.0);  // choices, no branches: see bonds
+  return std::numbers::pi * (to_plane <= 0 ? square_i : to_plane >= distance ? square_j : inside);
 }
 /// The same of radii.
 [[nodiscard]] inline double pair_area(double distance, double r_i, double r_j) noexcept {

@@ -36,22 +36,20 @@ struct RestLengthBond {
     const double overlap = -pair.strain;
     const double pressed = smooth_step(2 * (overlap / law.threshold - 1)) *
                            (1 - smooth_step((memory.overlap - overlap) / law.unloading));
-    return pressed > 0 ? pressed * growth_rate(law.growth, pair.mobility, pair.pressure) : 0;
+    return pressed * growth_rate(law.growth, pair.mobility, pair.pressure);
   }
   [[nodiscard]] static BondAction act(const BondLaw& law, const BondedPair& pair,
                                       BondMemory memory) noexcept {
     const double apart = std::max(memory.overlap + pair.strain, 0.0);
     const double whole = 1 - smooth_step(2 * apart / law.rupture - 1);
-    const double neck = neck_part(law.growth, memory.growth) * whole;
+    const double neck = pair.neck * whole;
     const double free = neck * smooth_step(apart / law.unloading);
     const double stiffness = softened(law.stiffness, law.softening, pair.temperature) * pair.bond_area;
     constexpr double steepest = 1.5;  // slope of a smooth step
     const double slope = neck * stiffness / pair.radius_sum;
     return {.keep = 1 - free,
             .pull = free * stiffness * apart,
-            .damping = law.damping > 0 ? 2 * law.damping * neck *
-                                             std::sqrt(pair.reduced_mass * stiffness / pair.radius_sum)
-                                       : 0,
+            .damping = 2 * law.damping * neck * std::sqrt(pair.reduced_mass * stiffness / pair.radius_sum),
             .area = pair.contact_area + neck * std::max(pair.bond_area - pair.contact_area, 0.0),
             .slope = slope +
                      neck * steepest * pair.pressure * pair.contact_area / (law.unloading * pair.radius_sum)};
