@@ -46,4 +46,6 @@ if command -v clang++ >/dev/null && [[ -e $archer ]]; then
 fi
 "$root/tests/toy/test.sh" "$root"
 
+if command -v clang-tidy >/dev/null && command -v clang++ >/dev/null; then tests/tidy.sh; fi
+
 if command -v shellcheck >/dev/null; then shellcheck -x bench/*.sh tests/*.sh tests/*/*.sh .ci/run; fi

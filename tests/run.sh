@@ -35,6 +35,15 @@ check_scripts() {
   (cd "$root" && git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck -x)
 }
 
+# Some of what the last commit changed, by the checked-in rules, where the tool is; tests/full.sh looks at everything.
+check_tidy() {
+  local changed few=8
+  if ! command -v clang-tidy >/dev/null || ! command -v clang++ >/dev/null; then return; fi
+  mapfile -t changed < <(git -C "$root" diff --name-only --diff-filter=d HEAD~1 -- \
+    'lib/*.cpp' 'integrators/*.cpp' 'bench/*.cpp' 'reports/*.cpp' 2>/dev/null | head -n "$few")
+  if ((${#changed[@]} > 0)); then "$root/tests/tidy.sh" "${changed[@]}"; fi
+}
+
 # The readers, and what they stand on, under the address and undefined-behaviour sanitizers: files come from strangers.
 check_readers() {
   local tests=(test_core test_parallel test_packing test_contact test_network) one
@@ -76,6 +85,7 @@ build_strictly "$preset"
 ctest --test-dir "build/$preset" --output-on-failure -j"$(nproc)"
 if [[ $preset == release ]]; then
   gate
+  check_tidy
   check_readers
   if command -v clang++ >/dev/null; then tests/fuzz/run.sh 20 packing network; fi
 fi

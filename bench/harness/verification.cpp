@@ -75,29 +75,23 @@ double allowed_error(const Scene& scene, const FieldView& field, double rtol, do
   return std::max(rtol * span, roundings * std::numeric_limits<double>::epsilon() * magnitude);
 }
 
-/// An error that nobody should take for a result.
-void judge(const std::vector<FieldErrors>& errors, std::span<const FieldView> fields, Outcome& outcome) {
-  constexpr double part_of_span = 0.1, times_tolerance = 10;
-  for (std::size_t f = 0; f < errors.size(); ++f) {
-    const auto& e = errors[f];
-    const char* unit = fields[f].unit.c_str();
-    const auto& name = fields[f].name;
-    if (!e.span || !(*e.span > 0)) continue;
-    if (e.relative_rms && *e.relative_rms > part_of_span)
-      outcome = {Status::inaccurate,
-                 fmt::format("the {} is off by {:.3g} {} rms, {:.0f} % of its span of {:.3g} {}: "
-                             "take shorter steps or a tighter tolerance",
-                             name, *e.rms, unit, 100 * *e.relative_rms, *e.span, unit)};
-    else if (e.delivered && *e.delivered > times_tolerance)
-      outcome = {Status::inaccurate,
-                 fmt::format("the error of the {} is {:.3g} times what was asked for", name, *e.delivered)};
-    else if (e.overshoot && *e.overshoot > part_of_span * *e.span)
-      outcome = {Status::inaccurate, fmt::format("the {} leaves the range that it can take by {:.3g} {}",
-                                                 name, *e.overshoot, unit)};
-  }
-}
-
 }  // namespace
+
+void judge(const FieldErrors& errors, const std::string& field, const std::string& unit, Outcome& outcome) {
+  constexpr double part_of_span = 0.1, times_tolerance = 10;
+  if (!errors.span || !(*errors.span > 0)) return;
+  if (errors.relative_rms && *errors.relative_rms > part_of_span)
+    outcome = {Status::inaccurate,
+               fmt::format("the {} is off by {:.3g} {} rms, {:.0f} % of its span of "
+                           "{:.3g} {}: take shorter steps or a tighter tolerance",
+                           field, *errors.rms, unit, 100 * *errors.relative_rms, *errors.span, unit)};
+  else if (errors.delivered && *errors.delivered > times_tolerance)
+    outcome = {Status::inaccurate, fmt::format("the error of the {} is {:.3g} times what was asked for",
+                                               field, *errors.delivered)};
+  else if (errors.overshoot && *errors.overshoot > part_of_span * *errors.span)
+    outcome = {Status::inaccurate, fmt::format("the {} leaves the range that it can take by {:.3g} {}", field,
+                                               *errors.overshoot, unit)};
+}
 
 void measure_probe_errors(const ProbeHistory& run, const ProbeHistory& reference, std::size_t slot,
                           double t_end, FieldErrors& errors) {
@@ -165,7 +159,8 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const MethodSpec
       measure_probe_errors(run.history, reference->history, static_cast<std::size_t>(probe->slot),
                            scene.t_end, errors);
   }
-  judge(result.errors, fields, result.outcome);
+  for (std::size_t f = 0; f < result.errors.size(); ++f)
+    judge(result.errors[f], fields[f].name, fields[f].unit, result.outcome);
   return result;
 }
 

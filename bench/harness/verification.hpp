@@ -29,6 +29,10 @@ struct Verification {
                                   const Reference* reference, const std::atomic<bool>* stop,
                                   Progress* progress, const RunLimits& limits = {});
 
+/// An error that nobody should take for a result makes the outcome `inaccurate`.
+///   unit  of the field
+void judge(const FieldErrors& errors, const std::string& field, const std::string& unit, Outcome& outcome);
+
 /// Errors at one probe of a run: mean over the transient's step ends and the decay fitted to them.
 ///   slot   position of the probe in both histories; t_end [s]
 void measure_probe_errors(const ProbeHistory& run, const ProbeHistory& reference, std::size_t slot,

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/harness/verification.hpp"
 #include "core/stopwatch.hpp"
+#include "integrators/method_spec.hpp"
 #include "integrators/press/motion.hpp"
 
 namespace superstep {
@@ -59,8 +61,7 @@ void raise(Number& worst, double value) {
   worst = std::max(worst.value_or(0.0), value);
 }
 
-/// `span` [K]: range of all temperatures so far, walls included.
-void measure(Lane& lane, const std::vector<double>& exact, double span) {
+void measure(Lane& lane, const std::vector<double>& exact) {
   if (!lane.outcome.ok()) return;
   double sum = 0, largest = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -71,7 +72,17 @@ void measure(Lane& lane, const std::vector<double>& exact, double span) {
   const double rms = std::sqrt(sum / static_cast<double>(exact.size()));
   raise(lane.errors.rms, rms);
   raise(lane.errors.max, largest);
-  if (span > 0) raise(lane.errors.relative_rms, rms / span);
+}
+
+/// `span` [K]: range of all temperatures in the run.
+void judge(Lane& lane, double span) {
+  FieldErrors& errors = lane.errors;
+  if (!lane.outcome.ok() || !errors.rms || !(span > 0)) return;
+  errors.span = span;
+  errors.relative_rms = *errors.rms / span;
+  if (const double rtol = MethodSpec(lane.spec).rtol(); rtol > 0)
+    errors.delivered = *errors.relative_rms / rtol;
+  judge(errors, "temperature", "K", lane.outcome);
 }
 
 Timing timing_of(const Lane& lane, bool with_building) {
@@ -88,7 +99,7 @@ BenchRow row_of(const BenchCase& one, const Lane& lane, const HarnessOptions& op
   row.repetitions = options.repetitions;
   row.errors = lane.errors;
   if (one.reference) row.reference = one.reference->spec;
-  if (!lane.outcome.ok()) return row;
+  if (!lane.outcome.ok() && lane.outcome.status != Status::inaccurate) return row;
   row.cpu_stepping = timing_of(lane, false);
   row.cpu_total = timing_of(lane, true);
   const ThermalBridge& bridge = lane.bridges.front();
@@ -134,7 +145,7 @@ BenchCase bench_thermal_lanes(const Press& one, double cpu_setup, const HarnessO
     const auto [coldest, hottest] = std::minmax_element(truth.begin(), truth.end());
     low = std::min(low, *coldest);
     high = std::max(high, *hottest);
-    for (auto& lane : lanes) measure(lane, truth, high - low);
+    for (auto& lane : lanes) measure(lane, truth);
   }
   progress.end();
 
@@ -150,6 +161,7 @@ BenchCase bench_thermal_lanes(const Press& one, double cpu_setup, const HarnessO
   }
   for (auto& lane : lanes) {
     if (!outcome.ok() && lane.outcome.ok()) lane.outcome = outcome;
+    judge(lane, high - low);
     result.rows.push_back(row_of(result, lane, options));
   }
   compare_with_baseline(result);

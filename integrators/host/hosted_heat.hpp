@@ -52,8 +52,8 @@ class HostedHeat {
   /// What rtol refers to [K], > 0; unless it is said, the largest minus the smallest temperature seen so far.
   void set_span(double span);
 
-  /// dt [s] > 0. Temperatures stay as they were unless the outcome is ok. What each call may err by is rtol
-  /// times the span.
+  /// dt [s] > 0. Temperatures stay as they were unless the outcome is ok. All calls together, however many
+  /// there are, may err by rtol times the span: see `share`.
   [[nodiscard]] Outcome advance_temperatures(double dt);
 
   [[nodiscard]] std::span<const double> temperatures() const noexcept { return temperature_; }
@@ -69,6 +69,7 @@ class HostedHeat {
   [[nodiscard]] bool is_held(std::size_t particle) const noexcept { return held_[particle] != 0; }
   void build();
   [[nodiscard]] Network new_network() const;
+  [[nodiscard]] double share(double dt) noexcept;
   void find_places();
   void fill();
   void gather();
@@ -84,9 +85,10 @@ class HostedHeat {
   /// [contacts] where their conductances stand: two entries of the matrix, or an edge to a ghost and -1, or
   /// -1 twice between two that are held.
   std::vector<std::pair<std::int64_t, std::int64_t>> place_;
-  std::vector<double> row_value_;  // [rows] differences from the network's origin
-  FieldRange seen_;                // K
-  double stated_span_ = 0;         // K; 0 = not stated
+  std::vector<double> row_value_;   // [rows] differences from the network's origin
+  FieldRange seen_;                 // K
+  double stated_span_ = 0;          // K; 0 = not stated
+  double elapsed_ = 0, first_ = 0;  // s; since the start, and of the first call
 };
 
 }  // namespace superstep

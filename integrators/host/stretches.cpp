@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "integrators/method_spec.hpp"
 #include "integrators/registry.hpp"
 #include "rhs/network_rhs.hpp"
 
@@ -37,11 +38,17 @@ FieldRange range_of(const Network& network, std::span<const double> values) {
   return range;
 }
 
+/// Tolerance of a stretch that may use up `share` of that of the run.
+double shared(double rtol, double share, double span, const FieldRange& range) {
+  if (!(rtol > 0) || !(span > 0)) return rtol;
+  constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
+  const double least = rounding * std::max(range.magnitude() / span, 1.0);
+  return std::min(rtol, std::max(share * rtol, least));
+}
+
 }  // namespace
 
-Stretches::Stretches(std::string spec) : spec_(std::move(spec)) {
-  (void)make_integrator(spec_);
-}
+Stretches::Stretches(std::string spec) : spec_(std::move(spec)), rtol_(MethodSpec(spec_).rtol()) {}
 
 Stretches::~Stretches() = default;
 Stretches::Stretches(Stretches&&) noexcept = default;
@@ -62,24 +69,25 @@ void Stretches::add_sources(double h, std::span<double> values) const {
     values[row] += h * network.source[row] / network.capacity[row];
 }
 
-bool Stretches::is_prepared(double h, double span, const FieldRange& range) const noexcept {
+bool Stretches::is_prepared(double h, double span, double rtol, const FieldRange& range) const noexcept {
   constexpr double little = 0.05;
-  if (!integrator_ || h != h_) return false;
+  if (!integrator_ || h != h_ || rtol != rtol_now_) return false;
   if (span_ == 0 || span == 0) return false;  // the span was that of the stretch before
   const double slack = little * span_;
   return span <= span_ + slack && span >= span_ && range.low >= range_.low - slack &&
          range.high <= range_.high + slack;
 }
 
-void Stretches::prepare(double h, double span, const FieldRange& range) {
+void Stretches::prepare(double h, double span, double rtol, const FieldRange& range) {
   Plan plan;
   plan.output_times = {h};
   plan.ranges = {range};
   if (span > 0) plan.spans = {span};
-  integrator_ = make_integrator(spec_);
+  integrator_ = make_integrator(rtol == rtol_ ? spec_ : MethodSpec(spec_).with_tolerance(rtol).text());
   integrator_->prepare(*rhs_, plan);
   h_ = h;
   span_ = span;
+  rtol_now_ = rtol;
   range_ = range;
   ++preparations_;
 }
@@ -96,7 +104,7 @@ Outcome Stretches::run(double h, std::span<double> values) {
   return outcome;
 }
 
-Outcome Stretches::advance(double h, std::span<double> values, double span) {
+Outcome Stretches::advance(double h, std::span<double> values, double span, double share) {
   if (values.empty()) return {};
   const Network& network = rhs_->network();
   if (network.nonzeros() == 0 && network.ghost_edges.empty()) {
@@ -108,7 +116,8 @@ Outcome Stretches::advance(double h, std::span<double> values, double span) {
   Outcome outcome;
   try {
     const FieldRange range = range_of(network, values);
-    if (!is_prepared(h, span, range)) prepare(h, span, range);
+    const double rtol = shared(rtol_, share, span, range);
+    if (!is_prepared(h, span, rtol, range)) prepare(h, span, rtol, range);
     outcome = run(h, values);
   } catch (const Refused& refused) {
     outcome = {Status::refused, refused.what()};

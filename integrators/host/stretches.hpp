@@ -26,9 +26,11 @@ class Stretches {
   void take(Network network);
   /// Advances values [rows] by h [s] over the network. The same h over the same network is prepared once:
   /// again only where the span, or the range of the values, has grown by more than a twentieth.
-  ///   span  what rtol refers to, > 0; 0 = that of each stretch by itself
+  ///   span   what rtol refers to, > 0; 0 = that of each stretch by itself
+  ///   share  part of the tolerance that this stretch may use up: errors of stretches add up, and shares that
+  ///          sum to 1 leave a whole run within its tolerance. Never below a hundred roundings of the values
   /// Values are left as they were unless the outcome is ok.
-  [[nodiscard]] Outcome advance(double h, std::span<double> values, double span = 0);
+  [[nodiscard]] Outcome advance(double h, std::span<double> values, double span = 0, double share = 1);
 
   [[nodiscard]] const std::string& spec() const noexcept { return spec_; }
   /// Work of all stretches so far; see Statistics.
@@ -42,15 +44,16 @@ class Stretches {
   [[nodiscard]] double cpu_stepping() const noexcept { return cpu_stepping_; }  ///< preparation included [s]
 
  private:
-  [[nodiscard]] bool is_prepared(double h, double span, const FieldRange& range) const noexcept;
-  void prepare(double h, double span, const FieldRange& range);
+  [[nodiscard]] bool is_prepared(double h, double span, double rtol, const FieldRange& range) const noexcept;
+  void prepare(double h, double span, double rtol, const FieldRange& range);
   [[nodiscard]] Outcome run(double h, std::span<double> values);
   void add_sources(double h, std::span<double> values) const;
 
   std::string spec_;
+  double rtol_;  // of the method; 0 = it has none
   std::unique_ptr<NetworkRhs> rhs_;
   std::unique_ptr<Integrator> integrator_;  // null = not prepared; after rhs_, which it refers to
-  double h_ = 0, span_ = 0;                 // that it is prepared for
+  double h_ = 0, span_ = 0, rtol_now_ = 0;  // that it is prepared for
   FieldRange range_;
   std::uint64_t sweeps_ = 0, steps_ = 0, rejected_ = 0, factorizations_ = 0, preparations_ = 0;
   int max_stages_ = 0;

@@ -17,7 +17,9 @@ class ThermalBridge {
   explicit ThermalBridge(std::string spec) : stretches_(std::move(spec)) {}
 
   /// Advances the temperatures of all particles that are not held by h [s] over the frozen network. Those of
-  /// held particles are set to their wall's.
+  /// held particles are set to their wall's. The method's tolerance is that of the whole schedule: each call
+  /// may use up the part of it that h is of the schedule's time. It refers to the range of temperatures now,
+  /// those of the walls included.
   [[nodiscard]] Outcome advance(const MovingNetwork& network, double h, std::span<double> temperature);
 
   [[nodiscard]] const std::string& spec() const noexcept { return stretches_.spec(); }

@@ -17,6 +17,9 @@ struct MotionHistory {
   std::vector<double> mean_temperature, max_temperature;  ///< K
   std::vector<double> wall_force;                         ///< on the upper wall [N]
   std::vector<double> bonds, contacts;
+  /// Since the start [J]; empty in folders of programs that did not keep account.
+  std::vector<double> wall_work, kinetic, potential, elastic, dissipated;
+  std::vector<double> joule_heat, heat_lost, heat_gained;
 };
 
 /// One phase of the press as far as the run came.
@@ -39,6 +42,7 @@ struct MotionFrame {
     double depth = 0;               ///< y of the centre minus y of the plane that halves the box, >= 0 [m]
     double radius = 0;              ///< m
     double temperature = 0;         ///< K
+    double electric = 0;            ///< current [A] or potential [V], as the case has it
   };
   double time = 0;              ///< s
   double upper_wall = 0;        ///< its height [m]
@@ -53,6 +57,7 @@ struct MotionInput {
   double largest_fraction_at = 0;              ///< s
   std::array<double, 3> box_min{}, box_max{};  ///< m; all 0 when unknown
   std::vector<MotionFrame> frames;             ///< ascending in time; none without a known box
+  std::string electric;                        ///< "current" or "potential"; empty = neither
 };
 
 }  // namespace superstep

@@ -42,6 +42,14 @@ class History {
     for (const std::size_t row : kept) out.push_back(table_.required(row, c));
     return out;
   }
+  /// The same where the column is there; what it has gained since the first row.
+  [[nodiscard]] std::vector<double> gained(const char* name, const std::vector<std::size_t>& kept) const {
+    if (!table_.find(name)) return {};
+    const double first = at(0, name);
+    std::vector<double> out = column(name, kept);
+    for (double& value : out) value -= first;
+    return out;
+  }
 
  private:
   CsvTable table_;
@@ -55,7 +63,15 @@ MotionHistory thinned(const History& all) {
           .max_temperature = all.column("max_temperature", kept),
           .wall_force = all.column("wall_force", kept),
           .bonds = all.column("bonds", kept),
-          .contacts = all.column("contacts", kept)};
+          .contacts = all.column("contacts", kept),
+          .wall_work = all.gained("wall_work", kept),
+          .kinetic = all.gained("kinetic_energy", kept),
+          .potential = all.gained("potential_energy", kept),
+          .elastic = all.gained("elastic_energy", kept),
+          .dissipated = all.gained("dissipated", kept),
+          .joule_heat = all.gained("joule_heat", kept),
+          .heat_lost = all.gained("heat_lost", kept),
+          .heat_gained = all.gained("heat_content", kept)};
 }
 
 /// The first row is the initial state: it belongs to the first phase but is no step.
@@ -90,8 +106,9 @@ void find_largest_fraction(const History& all, MotionInput& motion) {
 }
 
 /// The half behind the plane, and of many particles those nearest to it: they hide the others.
-MotionFrame read_frame(const std::string& path, double time, double upper_wall, double plane) {
-  const CsvTable table(path);
+MotionFrame read_frame(const CsvTable& table, const std::string& of_current, double time, double upper_wall,
+                       double plane) {
+  const auto electric = table.find(of_current);
   const auto id = table.column("id"), x = table.column("x"), y = table.column("y"), z = table.column("z"),
              r = table.column("r"), temperature = table.column("temperature");
   MotionFrame frame{.time = time, .upper_wall = upper_wall, .behind = 0, .spheres = {}};
@@ -99,7 +116,8 @@ MotionFrame read_frame(const std::string& path, double time, double upper_wall, 
     const double depth = table.required(row, y) - plane;
     if (depth < 0) continue;
     frame.spheres.push_back({table.whole(row, id), table.required(row, x), table.required(row, z), depth,
-                             table.required(row, r), table.required(row, temperature)});
+                             table.required(row, r), table.required(row, temperature),
+                             electric ? table.required(row, *electric) : 0});
   }
   frame.behind = frame.spheres.size();
   std::stable_sort(frame.spheres.begin(), frame.spheres.end(),
@@ -170,8 +188,10 @@ void read_frames(const std::string& folder, const JsonObject& motion, MotionInpu
     const auto goes_up = [](const std::filesystem::path& part) { return part == ".."; };
     if (name.empty() || name.is_absolute() || std::any_of(name.begin(), name.end(), goes_up))
       one.reject("file", "it must name a file inside the folder");
-    out.frames.push_back(
-        read_frame(folder + "/" + name.string(), times[k], required(one, "upper_wall"), plane));
+    const CsvTable table(folder + "/" + name.string());
+    for (const char* column : {"current", "potential"})
+      if (table.find(column)) out.electric = column;
+    out.frames.push_back(read_frame(table, out.electric, times[k], required(one, "upper_wall"), plane));
   }
 }
 

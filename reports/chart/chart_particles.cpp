@@ -16,6 +16,16 @@ namespace {
 
 constexpr double widest = 250, highest = 300, margin = 3, caption_room = 38;
 
+/// What colours stand for.
+struct Shown {
+  double MotionFrame::Sphere::*value;
+  const char *name, *unit;
+};
+
+constexpr Shown temperature{&MotionFrame::Sphere::temperature, "temperature", "K"},
+    current{&MotionFrame::Sphere::electric, "current", "A"},
+    potential{&MotionFrame::Sphere::electric, "potential", "V"};
+
 /// From metres to pixels: the whole box fits.
 struct View {
   double left, high, scale, width, height;
@@ -46,14 +56,14 @@ std::string walls(const View& view, const MotionFrame& frame) {
 }
 
 std::string frame_svg(const MotionInput& motion, const MotionFrame& frame, const View& view,
-                      const ValueRange& range) {
+                      const Shown& shown, const ValueRange& range) {
   Svg svg(view.width + 2 * margin, view.height + 2 * margin + caption_room,
-          fmt::format("particles coloured by temperature, {}", time_text(frame.time)));
+          fmt::format("particles coloured by {}, {}", shown.name, time_text(frame.time)));
   std::string spheres = R"(<g stroke="#000" stroke-opacity="0.35" stroke-width="0.4">)";
   for (const auto& s : frame.spheres)
     spheres += fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}"/>)", view.x(s.across),
                            view.y(s.height), std::max(0.3, view.scale * s.radius),
-                           field_colour(range.fraction(s.temperature)));
+                           field_colour(range.fraction(s.*shown.value)));
   svg.raw(spheres + "</g>" + walls(view, frame));
   const double middle = margin + 0.5 * view.width, below = view.height + 2 * margin;
   svg.text(middle, below + 14, time_text(frame.time), {"middle", R"(font-weight="600")"});
@@ -61,16 +71,17 @@ std::string frame_svg(const MotionInput& motion, const MotionFrame& frame, const
   return svg.take();
 }
 
-nlohmann::ordered_json frames_data(const MotionInput& motion) {
+nlohmann::ordered_json frames_data(const MotionInput& motion, const Shown& shown) {
   nlohmann::ordered_json data = {
-      {"columns", {"time [s]", "id", "x [m]", "z [m]", "r [m]", "temperature [K]"}},
+      {"columns",
+       {"time [s]", "id", "x [m]", "z [m]", "r [m]", fmt::format("{} [{}]", shown.name, shown.unit)}},
       {"rows", nlohmann::ordered_json::array()}};
   constexpr int digits = 4;
   for (const auto& frame : motion.frames)
     for (const auto& s : frame.spheres)
       data["rows"].push_back({number_json(frame.time, 7), s.id, number_json(s.across, digits),
                               number_json(s.height, digits), number_json(s.radius, digits),
-                              number_json(s.temperature, digits)});
+                              number_json(s.*shown.value, digits)});
   return data;
 }
 
@@ -86,19 +97,34 @@ std::string caption_of(const MotionInput& motion) {
   return text;
 }
 
-}  // namespace
-
-std::string particles_figure(const MotionInput& motion, const std::string& id) {
+ValueRange range_of(const MotionInput& motion, const Shown& shown) {
   ValueRange range;
   for (const auto& frame : motion.frames)
-    for (const auto& s : frame.spheres) range.include(s.temperature);
-  if (!(range.low <= range.high)) return {};
+    for (const auto& s : frame.spheres) range.include(s.*shown.value);
+  return range;
+}
+
+std::string coloured(const MotionInput& motion, const std::string& id, const Shown& shown,
+                     const ValueRange& range) {
   const View view(motion);
   std::string pictures = R"(<div class="frames large">)";
-  for (const auto& frame : motion.frames) pictures += frame_svg(motion, frame, view, range);
-  pictures += "</div>" + colour_bar("temperature", "K", range);
-  return figure("packing", id, "The particles, coloured by temperature", caption_of(motion), pictures,
-                frames_data(motion));
+  for (const auto& frame : motion.frames) pictures += frame_svg(motion, frame, view, shown, range);
+  pictures += "</div>" + colour_bar(shown.name, shown.unit, range);
+  return figure("packing", id, fmt::format("The particles, coloured by {}", shown.name), caption_of(motion),
+                pictures, frames_data(motion, shown));
+}
+
+}  // namespace
+
+std::string particles_figures(const MotionInput& motion, const std::string& id) {
+  const ValueRange heat = range_of(motion, temperature);
+  if (!(heat.low <= heat.high)) return {};
+  std::string figures = coloured(motion, id, temperature, heat);
+  if (motion.electric.empty()) return figures;
+  const Shown& electric = motion.electric == "current" ? current : potential;
+  const ValueRange range = range_of(motion, electric);
+  if (range.low < range.high) figures += coloured(motion, id + "-electric", electric, range);
+  return figures;
 }
 
 }  // namespace superstep

@@ -7,8 +7,9 @@
 
 namespace superstep {
 
-/// One small picture per frame, all on one scale and one scale of colours; empty without frames.
-///   id  of the figure
-[[nodiscard]] std::string particles_figure(const MotionInput& motion, const std::string& id);
+/// One small picture per frame, all on one scale and one scale of colours: by temperature, and by current or
+/// potential where there was any. Empty without frames.
+///   id  of the first figure; the second one's has "-electric" behind it
+[[nodiscard]] std::string particles_figures(const MotionInput& motion, const std::string& id);
 
 }  // namespace superstep

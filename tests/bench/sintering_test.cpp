@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/app/commands.hpp"
+#include "bench/harness/verification.hpp"
 #include "bench/press/motion_schemes.hpp"
 #include "bench/press/thermal_lanes.hpp"
 #include "case/press/press.hpp"
@@ -195,6 +196,42 @@ TEST(BenchSintering, LanesMeasureErrorAndWork) {
   EXPECT_GT(*euler.rhs, 0U);
   EXPECT_DOUBLE_EQ(*rkc.speedup_total, euler.cpu_total->median / rkc.cpu_total->median);
   EXPECT_EQ(result.cpu_setup, 0.5);
+}
+
+TEST(BenchSintering, MethodsKeepTheirToleranceOverAllContactUpdatesTogether) {
+  const CaseFolder folder;
+  const auto one = load_press(small_press(folder));
+  HarnessOptions options;
+  options.reference = "exponential:rtol=1e-12";
+  options.repetitions = 1;
+  options.integrators = {"auto:rtol=1e-3",  "exponential:rtol=1e-3", "exponential:rtol=1e-2",
+                         "rkc:rtol=1e-3",   "rock:rtol=1e-3",        "trapezoidal:rtol=1e-3",
+                         "cvode:rtol=1e-3", "esdirk:rtol=1e-3"};
+  Progress progress(false);
+  const BenchCase result = bench_thermal_lanes(one, 0, options, progress);
+  for (const auto& row : result.rows) {
+    ASSERT_TRUE(row.ok()) << row.spec << ": " << row.reason;
+    EXPECT_GT(*row.steps, 20U) << "there is something to add up";
+    EXPECT_LT(row.errors.delivered.value_or(0), 1) << row.spec;
+  }
+  EXPECT_TRUE(result.rows[1].errors.delivered) << "their tolerances are known";
+}
+
+TEST(Judge, FarOffIsInaccurate) {
+  FieldErrors errors;
+  errors.span = 1000;
+  errors.rms = 90;
+  errors.relative_rms = 0.09;
+  Outcome outcome;
+  judge(errors, "temperature", "K", outcome);
+  EXPECT_TRUE(outcome.ok()) << "a tenth of the span is the limit";
+  errors.delivered = 11;
+  judge(errors, "temperature", "K", outcome);
+  EXPECT_EQ(outcome.status, Status::inaccurate);
+  EXPECT_NE(outcome.reason.find("11 times"), std::string::npos) << outcome.reason;
+  errors.relative_rms = 0.2;
+  judge(errors, "temperature", "K", outcome);
+  EXPECT_NE(outcome.reason.find("20 %"), std::string::npos) << outcome.reason;
 }
 
 TEST(BenchSintering, GoesThroughTheHarnessOfAllCases) {

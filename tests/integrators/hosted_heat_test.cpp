@@ -67,6 +67,31 @@ TEST(HostedHeat, ManySmallStepsOverContactsThatStandAreOneLargeStep) {
   }
 }
 
+TEST(HostedHeat, AllCallsTogetherKeepTheTolerance) {
+  // A host's steps are short: in each of them nothing changes by more than the tolerance.
+  const auto contacts = some_contacts(60, 1);
+  const auto start = rising(60, 300, 400), capacity = rising(60, 1, 3);
+  HostedHeat exact(capacity, start, "exponential:rtol=1e-12");
+  exact.set_contacts(contacts);
+  exact.hold(0, 600);
+  ASSERT_TRUE(exact.advance_temperatures(2).ok());
+  for (const char* spec : {"exponential:rtol=1e-2", "rkc:rtol=1e-2", "cvode:rtol=1e-2", "rock:rtol=1e-2"})
+    for (const int steps : {50, 2000}) {
+      HostedHeat heat(capacity, start, spec);
+      heat.set_contacts(contacts);
+      heat.hold(0, 600);
+      for (int k = 0; k < steps; ++k) {
+        const auto outcome = heat.advance_temperatures(2.0 / steps);
+        ASSERT_TRUE(outcome.ok()) << outcome.reason;
+      }
+      double sum = 0;
+      for (std::size_t k = 0; k < start.size(); ++k)
+        sum += std::pow(heat.temperatures()[k] - exact.temperatures()[k], 2);
+      EXPECT_LT(std::sqrt(sum / 60), 1e-2 * 300) << spec << ", " << steps;
+    }
+  EXPECT_GT(largest_difference(exact.temperatures(), start), 20) << "there is something to miss";
+}
+
 TEST(HostedHeat, HeatIsConservedWhileContactsComeAndGo) {
   const auto start = rising(80, 300, 700), capacity = rising(80, 1, 3);
   for (const char* spec : {"forward-euler", "sts:n=5,nu=1e-2", "rkc:rtol=1e-3", "rock:rtol=1e-3",

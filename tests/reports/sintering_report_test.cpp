@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* columns =
     "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,contacts,"
-    "step,iterations,rejections\n";
+    "step,iterations,rejections";
 
 bool has(const std::string& html, const std::string& part) {
   return html.find(part) != std::string::npos;
@@ -39,6 +39,7 @@ std::size_t count_after(const std::string& html, const std::string& mark, const 
 /// Four particles, two of them in the rear half; press for 2 s and release for 2 s.
 struct Press {
   std::string press = "press, \"slowly\"";
+  bool keeps_account = false, electric = false;
   RunRecord record = test::sample_run();
   Json motion = {{"box", {{"min", {0, 0, 0}}, {"max", {2, 4, 3}}}}, {"snapshots", Json::array()}};
 
@@ -59,15 +60,30 @@ struct Press {
     folder.write(below + "run.json", json.dump());
     std::string quoted;
     for (const char c : press) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    folder.write(below + "history.csv", columns + fmt::format("0,\"{0}\",0.2,300,300,0,0,0,1,0,0,0\n"
-                                                              "1,\"{0}\",0.8,500,600,90,1,2,5,1,3,0\n"
-                                                              "2,\"{0}\",0.6,600,900,50,1,4,6,1,3,0\n"
-                                                              "4,release,0.4,550,700,0,0,3,4,2,3,1\n",
-                                                              quoted));
-    for (const char* name : {"snapshots/p2.csv", "snapshots/p4.csv"})
-      folder.write(below + name,
-                   "id,x,y,z,r,temperature,vx,vy,vz\n1,1,0.5,0.5,0.5,300,0,0,0\n2,1,1.5,0.5,0.5,400,0,0,0\n"
-                   "3,1,2.5,0.5,0.5,800,0,0,0\n4,1,3.5,0.5,0.5,900,0,0,0\n");
+    const auto row = [&](const std::string& start, int joules) {
+      return start + (keeps_account ? fmt::format(",{},{},{},{},{},{},{}\n", 9 * joules, joules, 2 * joules,
+                                                  5 * joules, 7 * joules, 3 * joules, 100 + 4 * joules)
+                                    : "\n");
+    };
+    folder.write(
+        below + "history.csv",
+        std::string(columns) +
+            (keeps_account
+                 ? ",wall_work,potential_energy,elastic_energy,dissipated,joule_heat,heat_lost,heat_content\n"
+                 : "\n") +
+            row(fmt::format("0,\"{}\",0.2,300,300,0,0,0,1,0,0,0", quoted), 0) +
+            row(fmt::format("1,\"{}\",0.8,500,600,90,1,2,5,1,3,0", quoted), 1) +
+            row(fmt::format("2,\"{}\",0.6,600,900,50,1,4,6,1,3,0", quoted), 2) +
+            row("4,release,0.4,550,700,0,0,3,4,2,3,1", 3));
+    for (const char* name : {"snapshots/p2.csv", "snapshots/p4.csv"}) {
+      std::string text =
+          electric ? "id,x,y,z,r,current,temperature,vx,vy,vz\n" : "id,x,y,z,r,temperature,vx,vy,vz\n";
+      for (const int k : {1, 2, 3, 4})
+        text +=
+            fmt::format("{},1,{}.5,0.5,0.5,{}{},0,0,0\n", k, k - 1,
+                        electric ? fmt::format("{},", 10 * k) : "", k < 3 ? 200 + 100 * k : 500 + 100 * k);
+      folder.write(below + name, text);
+    }
   }
 };
 
@@ -117,6 +133,27 @@ TEST(SinteringReport, HoldsTableCurvesAndPictures) {
       << "two spheres at two instants";
   EXPECT_FALSE(has(html, "id=\"sintering-compared\"")) << "nothing to compare with";
   EXPECT_FALSE(has(html, "id=\"runs-packing-temperature\"")) << "no cut through a packing that moves";
+}
+
+TEST(SinteringReport, ShowsEnergiesAndCurrentsWhereTheRunHasThem) {
+  const TemporaryFolder folder;
+  Press press;
+  press.write(folder);
+  const std::string without = report_of(folder);
+  for (const char* id : {"energy", "heat", "particles-electric"})
+    EXPECT_FALSE(has(without, fmt::format("id=\"sintering-1-{}\"", id))) << id;
+  press.keeps_account = press.electric = true;
+  press.write(folder);
+  const auto motion = read_motion(folder.file("."));
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->history.wall_work, (std::vector<double>{0, 9, 18, 27}));
+  EXPECT_EQ(motion->history.heat_gained, (std::vector<double>{0, 4, 8, 12})) << "since the start";
+  EXPECT_EQ(motion->electric, "current");
+  EXPECT_EQ(motion->frames[0].spheres[0].electric, 40);
+  const std::string with = report_of(folder);
+  for (const char* id : {"energy", "heat", "particles-electric"})
+    EXPECT_TRUE(has(with, fmt::format("id=\"sintering-1-{}\"", id))) << id;
+  EXPECT_EQ(count_after(with, "id=\"sintering-1-particles-electric\"", "<circle", "</figure>"), 4U);
 }
 
 TEST(SinteringReport, OfAFailedRunSaysWhereItStopped) {

@@ -97,6 +97,27 @@ std::string run_charts(const RunInput& run, const std::string& id) {
                 "Pairs that touch, and those of them that stick together.", "pairs", pairs));
 }
 
+/// Where energy came from and where it went; empty where the program that ran kept no account.
+std::string energy_charts(const RunInput& run, const std::string& id) {
+  const MotionHistory& history = run.motion->history;
+  if (history.wall_work.empty() || history.heat_gained.empty()) return {};
+  constexpr Quantity motion[] = {{"work of the wall", &MotionHistory::wall_work},
+                                 {"elastic: contacts and necks", &MotionHistory::elastic},
+                                 {"dissipated", &MotionHistory::dissipated},
+                                 {"kinetic", &MotionHistory::kinetic},
+                                 {"potential: weight", &MotionHistory::potential}};
+  constexpr Quantity heat[] = {{"heat of the current", &MotionHistory::joule_heat},
+                               {"gained by the particles", &MotionHistory::heat_gained},
+                               {"lost to the walls", &MotionHistory::heat_lost}};
+  return figure_row(
+      run_chart(run, id + "-energy", "Energy of the motion",
+                "Since the start. The wall's work is what the other curves add up to.", "energy [J]",
+                motion) +
+      run_chart(run, id + "-heat", "Heat",
+                "Since the start. The heat of the current is gained by the particles or lost to the walls.",
+                "heat [J]", heat));
+}
+
 std::string phase_table(const MotionInput& motion) {
   HtmlTable table({{"phase", "", false},
                    {"from [s]"},
@@ -157,8 +178,8 @@ std::string run_article(const RunInput& run, const std::string& id, bool only) {
                       "phase ended.",
                       outcome_of(run) + phase_table(*run.motion));
   out += html_section(id + "-history", "Over time", "Phases are shaded in turn and named above each chart.",
-                      run_charts(run, id));
-  out += html_section(id + "-pictures", "Pictures", "", particles_figure(*run.motion, id + "-particles"));
+                      run_charts(run, id) + energy_charts(run, id));
+  out += html_section(id + "-pictures", "Pictures", "", particles_figures(*run.motion, id + "-particles"));
   return out + "</article>\n";
 }
 
