@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) {
-  throw OutputError(fmt::format(
-      "{}: cannot be written: {}; choose another place with --out or free some space", path, why));
+  throw OutputError(
+      fmt::format("{}: cannot be written: {}; choose another place or free some space", path, why));
 }
 [[noreturn]] void fail(const std::string& path, int error) {
   fail(path, std::strerror(error));

@@ -39,7 +39,7 @@ void require_regular_file(const std::string& path, std::uintmax_t most) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     throw InputError(
-        fmt::format("{}: no such file; check the path (relative paths start at the case file)", path));
+        fmt::format("{}: no such file; check the path (one in a case file starts at that file)", path));
   if (std::filesystem::is_directory(status))
     throw InputError(fmt::format("{}: is a directory; name a file in it", path));
   if (!std::filesystem::is_regular_file(status))
