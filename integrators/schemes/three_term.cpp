@@ -138,7 +138,7 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
     else
       rhs(time(recurrence + k), argument_, slopes_[k]);
   };
-  const auto& [f1, f2, f3, f4] = slopes_;
+  const auto &f1 = slopes_[0], &f2 = slopes_[1], &f3 = slopes_[2], &f4 = slopes_[3];
   auto& stage = before;
   sweep(0, now);
   for_each_entry(n, [&](std::size_t i) { stage[i] = now[i] + h * (a[0][0] * f1[i]); });

@@ -125,11 +125,11 @@ Trial Stabilised::attempt(const Step& step, StateVector& state, StateVector& nex
 
 double Stabilised::estimate_error_of_finish(double h, const StateVector& y, const StateVector& next) const {
   const auto& b = scheme_.finish->embedded;
-  const auto& [f1, f2, f3, f4] = engine_.slopes();
+  const auto& f = engine_.slopes();
   // The estimate is that of the embedded result of order three, which is given up for the one of order four.
   constexpr double given_up = 0.2;
   return given_up * scheme_.finish->estimate_scale * norm_.of([&](std::size_t i) {
-    return next[i] - y[i] - h * (b[0] * f1[i] + b[1] * f2[i] + b[2] * f3[i] + b[3] * f4[i]);
+    return next[i] - y[i] - h * (b[0] * f[0][i] + b[1] * f[1][i] + b[2] * f[2][i] + b[3] * f[3][i]);
   });
 }
 

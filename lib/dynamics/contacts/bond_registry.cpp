@@ -79,7 +79,7 @@ SUPERSTEP_CLONES void remember(const BondSurroundings& around, BondBlock& b, std
   const BondLaw law = around.law;
   const ContactLaw contact = around.contact;
   const StepPart step = around.step;
-#pragma GCC ivdep
+  SUPERSTEP_INDEPENDENT
   for (std::size_t n = 0; n < count; ++n) {
     b.overlap[n] = std::max(b.overlap[n], -b.strain[n]);
     if constexpr (Law::grows) {
@@ -93,7 +93,7 @@ template <class Law>
 SUPERSTEP_CLONES void act_block(const BondSurroundings& around, BondBlock& b, std::size_t count) {
   const BondLaw law = around.law;
   const ContactLaw contact = around.contact;
-#pragma GCC ivdep
+  SUPERSTEP_INDEPENDENT
   for (std::size_t n = 0; n < count; ++n) {
     const BondAction action = Law::act(law, pair_of(contact, b, n), {b.overlap[n], b.growth[n]});
     b.keep[n] = action.keep;

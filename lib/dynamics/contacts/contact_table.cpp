@@ -21,7 +21,7 @@ struct Place {
 /// From the vectors between the centres; the formulas of `pair_strain` and `pair_area`, without branches.
 SUPERSTEP_CLONES void place_block(const Place& out, const double* x, const double* y, const double* z,
                                   std::size_t count) {
-#pragma GCC ivdep
+  SUPERSTEP_INDEPENDENT
   for (std::size_t k = 0; k < count; ++k) {
     const double squared = x[k] * x[k] + y[k] * y[k] + z[k] * z[k];
     const double distance = std::sqrt(squared), inverse = 1 / distance;

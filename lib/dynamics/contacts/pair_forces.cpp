@@ -73,7 +73,7 @@ struct Contact {
 SUPERSTEP_CLONES void forces_of(const ContactLaw& contact_law, const Pairs& p, const ForcesOut& out,
                                 std::size_t count) {
   const Shared law(contact_law);
-#pragma GCC ivdep
+  SUPERSTEP_INDEPENDENT
   for (std::size_t k = 0; k < count; ++k) {
     const Contact c(law, p, k);
     const double along = p.pull[k] + p.bond_damping[k] * c.parting - p.keep[k] * c.damped;
@@ -87,7 +87,7 @@ SUPERSTEP_CLONES void forces_of(const ContactLaw& contact_law, const Pairs& p, c
 SUPERSTEP_CLONES void whole_of(const ContactLaw& contact_law, const Pairs& p, const WholeOut& out,
                                std::size_t count) {
   const Shared law(contact_law);
-#pragma GCC ivdep
+  SUPERSTEP_INDEPENDENT
   for (std::size_t k = 0; k < count; ++k) {
     const Contact c(law, p, k);
     out.elastic[k] = (p.pull[k] - p.keep[k] * c.push) * c.parting;

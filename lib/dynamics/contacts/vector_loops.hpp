@@ -12,6 +12,13 @@
 #define SUPERSTEP_CLONES
 #endif
 
+/// Before a loop whose turns do not depend on each other.
+#ifdef __clang__
+#define SUPERSTEP_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define SUPERSTEP_INDEPENDENT _Pragma("GCC ivdep")
+#endif
+
 namespace superstep::dynamics {
 
 /// What is gathered at a time: it stays in the first cache.
