@@ -85,7 +85,7 @@ std::string error_text(const Scene& scene, const RunResult& run, const std::opti
   }
   if (check) return out + ")";
   if (run.statistics.error_bound > 0)
-    return fmt::format(" (error below {:.1e} of the span)", run.statistics.error_bound);
+    return fmt::format(" (proven: its error is below {:.1e} of the span)", run.statistics.error_bound);
   return " (not verified)";
 }
 

@@ -12,7 +12,7 @@
 namespace superstep {
 
 std::string write_report(const std::string& folder) {
-  const std::string file = folder + "/report.html";
+  std::string file = folder + "/report.html";
   write_file_atomically(file, report_html(read_report_input(folder)));
   return file;
 }

@@ -59,11 +59,17 @@ const BenchRow* fastest_within(const BenchCase& one, double level) {
 }
 
 std::string answer_text(const BenchCase& one) {
+  std::string out;
   for (const double level : {1e-3, 1e-2, 1e-1}) {
     const BenchRow* best = fastest_within(one, level);
-    if (!best) continue;
-    std::string out = fmt::format("For an error below {:g} of the span: {} ({:.3g} s of CPU)", level,
-                                  best->spec, *prepared_cpu(*best));
+    if (!best) {
+      if (out.empty()) out = fmt::format("No method kept its error below {:g} % of the span. ", 100 * level);
+      continue;
+    }
+    out += fmt::format(
+        "Fastest with an error below {:g} % of the span: {} takes {:.3g} s of CPU, preparation "
+        "included",
+        100 * level, best->spec, *prepared_cpu(*best));
     std::vector<std::string> slower, tied;
     const auto compare = [&](const BenchRow& row) {
       if (&row == best || !(*prepared_cpu(*best) > 0)) return;
