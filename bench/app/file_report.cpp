@@ -81,6 +81,7 @@ std::string packing_text(const Packing& packing, const std::string& path,
              value(conduction->between_layers) +
                  (conduction->periodic ? ", cut open, between layers at both ends" : "") +
                  (conduction->note.empty() ? "" : "; " + conduction->note));
+  if (!conduction->passes) return out;
   out += row("heat passes in about", fmt::format("{:g} s", conduction->time));
   out += row("recommended over that time", conduction->method);
   return out;
@@ -116,8 +117,8 @@ std::string packing_json(const Packing& packing, const std::string& path,
                          {"effective_conductivity", optional_number(conduction->between_layers)},
                          {"effective_conductivity_periodic", optional_number(conduction->periodic)},
                          {"note", conduction->note},
-                         {"transit_time_s", conduction->time},
-                         {"recommended", conduction->method}};
+                         {"transit_time_s", conduction->passes ? Json(conduction->time) : Json(nullptr)},
+                         {"recommended", conduction->passes ? Json(conduction->method) : Json(nullptr)}};
   return json_text(out);
 }
 

@@ -78,6 +78,23 @@ TEST_F(FileReport, SaysWhatAPackingIsAndHowItConducts) {
   EXPECT_NE(json["conduction"]["recommended"].get<std::string>().find("because it costs"), std::string::npos);
 }
 
+/// Two particles at either end of a gap, one pair of them in touch or none.
+TEST_F(FileReport, NothingConductsWhereNoPathOfContactsLeads) {
+  for (const char* rows : {"1,0,0,0.01,0.005\n2,0,0,0.03,0.005\n3,0,0,0.05,0.005\n",
+                           "1,0,0,0.01,0.005\n2,0,0,0.0195,0.005\n3,0,0,0.05,0.005\n4,0,0,0.0595,0.005\n"}) {
+    folder_.write("p.csv", std::string("id,x,y,z,radius\n") + rows);
+    ASSERT_EQ(run("info p.csv --conductivity 85 --axis z"), 0) << err();
+    expect_out("0 W/(m K); no path of contacts from side to side");
+    expect_out("[contact] gap");
+    EXPECT_EQ(out().find("out of memory"), std::string::npos) << out();
+    EXPECT_EQ(out().find("recommended"), std::string::npos) << out();
+    ASSERT_EQ(run("info p.csv --conductivity 85 --axis z --json"), 0) << err();
+    const auto conduction = nlohmann::json::parse(out())["conduction"];
+    EXPECT_EQ(conduction["effective_conductivity"], 0.0);
+    EXPECT_TRUE(conduction["recommended"].is_null() && conduction["transit_time_s"].is_null());
+  }
+}
+
 TEST_F(FileReport, InitWritesACaseThatRuns) {
   write_dump("pp pp ff");
   ASSERT_EQ(run("init p.dump --conductivity 85 --density 5910 --specific-heat 640 -o sub.toml"), 0) << err();

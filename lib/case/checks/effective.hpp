@@ -28,7 +28,8 @@ struct ElectrodeFacts {
 /// for other fields. Throws nothing: a network that cannot be solved has no facts.
 [[nodiscard]] std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field);
 
-/// k = q L / (A dT) from a steady solve. Needs a packing and exactly two distinct fixed values.
+/// k = q L / (A dT) from a steady solve; 0 where no path of contacts joins the two layers. Needs a packing
+/// and exactly two distinct fixed values.
 [[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field);
 
 }  // namespace superstep
