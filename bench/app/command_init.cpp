@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Command from_line(const Arguments& values) {
+  if (values.json) throw UsageError("init: writes a case and prints nothing; leave --json out");
   InitCommand command{.common = common_options(values),
                       .packing_file = single_case(values, "init"),
                       .case_file = values.file,

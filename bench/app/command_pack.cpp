@@ -46,17 +46,18 @@ std::string report_json(std::size_t particles, const PackReport& report) {
 }
 
 Container container_of(const Arguments& values, double unit) {
+  const std::string shape = values.container.empty() ? "cylinder" : values.container;
   const auto length = [&](const char* option, const std::string& text) {
-    if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a {}", option, values.container));
+    if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a {}", option, shape));
     return unit * parse_positive_option(option, text);
   };
   Container container;
   container.height = length("--height", values.height);
-  if (values.container == "cylinder") {
+  if (shape == "cylinder") {
     if (!values.width.empty() || !values.depth.empty())
       throw UsageError("pack: --width and --depth belong to a box; a cylinder has --diameter");
     container.diameter = length("--diameter", values.diameter);
-  } else if (values.container == "box") {
+  } else if (shape == "box") {
     if (!values.diameter.empty())
       throw UsageError("pack: --diameter belongs to a cylinder; a box has --width, --depth");
     container.shape = Container::Shape::box;
@@ -64,25 +65,24 @@ Container container_of(const Arguments& values, double unit) {
     container.depth = length("--depth", values.depth);
   } else {
     const std::vector<std::string> shapes = {"cylinder", "box"};
-    throw UsageError(fmt::format("--container {} is not valid{}", superstep::in_quotes(values.container),
-                                 suggestion(values.container, shapes)));
+    throw UsageError(
+        fmt::format("--container {} is not valid{}", superstep::in_quotes(shape), suggestion(shape, shapes)));
   }
   return container;
 }
 
 /// The largest cube of at most so many spheres.
 Lattice lattice_of(const Arguments& values, double unit) {
-  for (const auto& [option, text] : {std::pair("--sizes", values.sizes),
-                                     {"--count", values.count},
-                                     {"--width", values.width},
-                                     {"--depth", values.depth},
-                                     {"--height", values.height},
-                                     {"--relative-density", values.relative_density}})
-    if (!text.empty())
-      throw UsageError(
-          fmt::format("pack: {} belongs to a container that is filled; a lattice has --spacing and "
-                      "--diameter",
-                      option));
+  const GivenOption foreign[] = {{!values.container.empty(), "--container"},
+                                 {!values.sizes.empty(), "--sizes"},
+                                 {!values.count.empty(), "--count"},
+                                 {!values.width.empty(), "--width"},
+                                 {!values.depth.empty(), "--depth"},
+                                 {!values.height.empty(), "--height"},
+                                 {!values.relative_density.empty(), "--relative-density"},
+                                 {!values.seed.empty(), "--seed"}};
+  refuse_given("pack", foreign,
+               "belongs to a container that is filled; a lattice has --spacing and --diameter");
   const double count = parse_positive_option("--lattice", values.lattice);
   if (!(count >= 1) || count > static_cast<double>(largest_packing))
     throw UsageError(fmt::format("--lattice {} is not valid: it must lie between 1 and {}",
@@ -115,7 +115,8 @@ Command from_line(const Arguments& values) {
     settings.relative_density = parse_positive_option("--relative-density", values.relative_density);
   if (!values.count.empty())
     settings.count = static_cast<std::size_t>(parse_integer_option("--count", values.count, 1, unlimited));
-  settings.seed = static_cast<std::uint64_t>(parse_integer_option("--seed", values.seed, 0, unlimited));
+  if (!values.seed.empty())
+    settings.seed = static_cast<std::uint64_t>(parse_integer_option("--seed", values.seed, 0, unlimited));
   return command;
 }
 

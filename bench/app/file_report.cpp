@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/cli/command_entry.hpp"
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/toml.hpp"
@@ -186,6 +187,24 @@ std::string network_report(const NetworkFile& network, const std::string& path, 
          rows("understood", network.input.notes);
 }
 
+void require_no_options(const FileOptions& options, const std::string& path) {
+  if (!options.given.empty())
+    throw UsageError(fmt::format("info: {} is about a packing file, and {} is a network; leave it out",
+                                 options.given.front(), path));
+}
+
+/// What asks how a packing conducts goes with --conductivity.
+void require_conductivity(const FileOptions& options) {
+  if (options.conductivity) return;
+  const GivenOption asking[] = {{options.density.has_value(), "--density"},
+                                {options.specific_heat.has_value(), "--specific-heat"},
+                                {options.axis != 0, "--axis"},
+                                {!options.neck.empty(), "--neck"}};
+  refuse_given(
+      "info", asking,
+      "says how a packing conducts, which is computed with --conductivity; add that, or leave it out");
+}
+
 }  // namespace
 
 bool is_no_case(const std::string& path) {
@@ -202,8 +221,11 @@ bool is_no_case(const std::string& path) {
 std::string file_report(const InfoCommand& command) {
   const std::string& path = command.case_file;
   if (recognised_format(path).empty())
-    if (const auto network = read_as_network(path))
+    if (const auto network = read_as_network(path)) {
+      require_no_options(command.file, path);
       return network_report(*network, path, command.common.json);
+    }
+  require_conductivity(command.file);
   const Packing packing = read_packing(path, command.file.reading);
   std::optional<PackingConduction> conduction;
   if (command.file.conductivity)

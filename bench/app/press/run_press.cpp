@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/press/export_packing.hpp"
 #include "bench/app/press/press_commands.hpp"
 #include "bench/app/press/sintering_files.hpp"
@@ -236,10 +237,8 @@ void check_specs_of_press(const std::vector<std::string>& specs) {
 }
 
 int run_press(const RunCommand& command, const Press& press, double cpu_setup) {
-  if (command.limits.sweeps > 0)
-    throw UsageError(
-        "run: --max-work counts sweeps over a network that stays as it is; particles that move "
-        "have none, give --time-limit");
+  const GivenOption still[] = {{command.limits.sweeps > 0, "--max-work"}, {command.verify, "--verify"}};
+  refuse_for_moving("run", still, press.file);
   if (!command.export_packing.empty() && command.integrators.size() > 1)
     throw UsageError("run: --export-packing takes one run; give one --integrator");
   catch_interrupts();
