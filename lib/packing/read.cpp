@@ -51,13 +51,8 @@ const PackingFormat& choose_format(const PackingFile& file) {
   refuse(file);
 }
 
-void require_content(const std::string& path, std::string_view content) {
-  if (content.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    throw InputError(fmt::format("{}: is empty; a packing file with content is expected", path));
-}
-
 PackingFile open(const std::string& path, const std::string& content, const PackingOptions& options) {
-  require_content(path, content);
+  require_content(content, path);
   PackingFile file{.path = path,
                    .content = content,
                    .options = options,

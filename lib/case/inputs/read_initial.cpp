@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "case/inputs/named_column.hpp"
-#include "case/read_packing_scene.hpp"
+#include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
 #include "core/text/number.hpp"
 
@@ -32,10 +32,10 @@ std::vector<double> of_packing(const TomlValue& column, const Packing& packing) 
   return attribute->value;
 }
 
-std::vector<double> of_file(const TomlTable& table, const TomlValue& file, const TomlValue& column,
+std::vector<double> of_file(const TomlValue& file, const TomlValue& column,
                             std::span<const std::int64_t> id) {
-  const std::string path = beside_case(table.file(), file.string());
-  const std::string text = read_text_file(path);
+  const std::string path = named_path(file),
+                    text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
   DelimitedTable rows(path, text);
   const std::size_t id_column = column_named(rows, "id", path),
                     value_column = column_named(rows, column.string(), column.where());
@@ -72,7 +72,7 @@ std::vector<double> read_initial(TomlTable& table, std::span<const std::int64_t>
   const auto column = source.require("column", "it names the column of the packing, or of a file beside it");
   const auto file = source.find("file");
   source.finish();
-  if (file) return of_file(table, *file, column, id);
+  if (file) return of_file(*file, column, id);
   if (packing == nullptr) column.reject("there is no packing to take it from; name a file beside it");
   return of_packing(column, *packing);
 }

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "case/inputs/named_file.hpp"
 #include "case/press/read_kinematics.hpp"
 #include "case/press/read_values.hpp"
 #include "case/read_packing_scene.hpp"
@@ -184,7 +185,6 @@ std::vector<std::size_t> materials_of(const TomlValue& file, const Packing& pack
 
 /// A packing in any format, with velocities, temperatures and bonds where it or files beside it have them.
 void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) {
-  const std::string path = beside_case(table.file(), file.string());
   PackingOptions options;
   options.place = file.where();
   options.periodic = "none";  // the walls are the box
@@ -192,14 +192,15 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
     options.length_unit = length_unit(unit->string(), unit->where());
     options.place = unit->where();
   }
-  const Packing packing = read_packing(path, options);
+  const Packing packing =
+      read_named_file(file, [&](const auto& path) { return read_packing(path, options); });
   std::optional<double> unit;
   if (table.find("velocity_unit")) unit = table.positive("velocity_unit", "m/s");
-  const Kinematics kinematics = read_kinematics(path, packing, unit);
+  const Kinematics kinematics = read_kinematics(named_path(file), packing, unit);
   std::vector<Bond> bonds;
   if (const auto stored = table.find("bonds")) {
     if (!reading.input.model.bond.acts()) stored->reject("the case has no [dynamics.bond]; remove it");
-    bonds = read_bonds(beside_case(table.file(), stored->string()), packing);
+    bonds = read_named_file(*stored, [&](const auto& path) { return read_bonds(path, packing); });
   }
   const Vec3 shift = table.find("shift") ? point_from(*table.find("shift")) : Vec3{};
   const auto material = materials_of(file, packing, reading);
