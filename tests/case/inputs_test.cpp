@@ -213,7 +213,11 @@ TEST_F(Inputs, MatricesEdgeListsAndNodesWithoutCapacity) {
       load("t_end = 50\n[network]\nedges = \"e.txt\"\ncapacity = \"c.txt\"\nfixed = \"f.csv\"\n");
   EXPECT_NEAR(values_at_end(list)[2], 4, 1e-6);
   EXPECT_FALSE(list.warnings.empty()) << "parallel edges are summed and said";
-  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\n", "edges alone need a capacity");
+  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\n", "'capacity' is missing, and edges have no");
+  expect_refused("t_end = 1\n[network]\nmatrix = \"K.mtx\"\n", "'capacity' is missing, and a matrix has no");
+  folder_.write("net.csv", "throat.conns[0],throat.conns[1],throat.g\n0,1,2.0\n");
+  expect_refused("t_end = 1\n[network]\nopenpnm = \"net.csv\"\nconductance = \"throat.g\"\n",
+                 "'capacity' is missing, and throats have no");
   expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
 }
 

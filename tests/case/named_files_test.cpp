@@ -51,7 +51,7 @@ const std::vector<Naming> namings = {
     {"network.edges", "[network]\nedges = \"%s\"\nnodes = \"nodes.csv\"\n"},
     {"network.edges", "[network]\nedges = \"%s\"\ncapacity = 1.0\n"},
     {"network.matrix", "[network]\nmatrix = \"%s\"\ncapacity = 1.0\n"},
-    {"network.openpnm", "[network]\nopenpnm = \"%s\"\nconductance = \"throat.g\"\n"},
+    {"network.openpnm", "[network]\nopenpnm = \"%s\"\nconductance = \"throat.g\"\ncapacity = 1.0\n"},
     {"network.capacity", "[network]\ncapacity = \"%s\"\nedges = \"edges.csv\"\n"},
     {"network.source", "[network]\nsource = \"%s\"\nedges = \"edges.csv\"\ncapacity = 1.0\n"},
     {"network.initial", "[network]\ninitial = \"%s\"\nedges = \"edges.csv\"\ncapacity = 1.0\n"},
