@@ -49,5 +49,12 @@ TEST(Spec, ExclusiveKeys) {
   EXPECT_THROW(options.at_most_one_of(both), UsageError);
 }
 
+TEST(Specs, ThatSayTheSameAreFoundInAnyOrderOfSettings) {
+  using List = std::vector<std::string>;
+  EXPECT_EQ(repeated_spec(List{"rkc", "cvode", "rkc"}), "rkc");
+  EXPECT_EQ(repeated_spec(List{"sts:n=5,nu=0.1", "sts:nu=0.1,n=5"}), "sts:nu=0.1,n=5");
+  EXPECT_EQ(repeated_spec(List{"rkc", "rkc:rtol=1e-3", "rkc:rtol=1e-4", "rkl"}), "");
+}
+
 }  // namespace
 }  // namespace superstep

@@ -207,6 +207,17 @@ TEST_F(CommandLine, OptionsThatWouldBeIgnoredAreRefused) {
   refuse({"completion", "bash", "--json"}, "--json");
 }
 
+TEST_F(CommandLine, AMethodIsNamedOnce) {
+  const auto twice =
+      test::write_rod(folder_, test::Rod{.nodes = 5, .bench = "integrators = [\"rkc\", \"rkc\"]\n"}, "twice");
+  before_ = test::files_below(folder_.file("."));
+  for (const char* command : {"run", "bench"})
+    refuse({command, case_, "--integrator", "sts:n=5,nu=0.1", "sts:nu=0.1,n=5"},
+           "'sts:nu=0.1,n=5' stands twice");
+  refuse({"bench", case_, "--work-precision", "--integrator", "rkc", "rkc"}, "'rkc' stands twice");
+  refuse({"bench", twice}, "key 'bench.integrators'");
+}
+
 TEST_F(CommandLine, CommandsRefuseWhatTheyDoNotTake) {
   refuse({}, "command");
   refuse({"zzz"}, "zzz");

@@ -232,6 +232,7 @@ int run_into(const Press& one, const RunCommand& command, double cpu_setup, cons
 }  // namespace
 
 void check_specs_of_press(const std::vector<std::string>& specs) {
+  require_distinct_specs(specs);
   for (const auto& spec : specs)
     if (spec != "staggered") (void)MethodSpec(spec);
 }

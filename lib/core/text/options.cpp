@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "core/error.hpp"
@@ -41,7 +42,28 @@ void check(const std::string& spec, const OptionKey& key, const std::string& val
   }
 }
 
+/// Name and settings of a SPEC, the latter sorted; it need not be valid.
+std::vector<std::string> parts_of(const std::string& spec) {
+  const std::size_t colon = std::min(spec.find(':'), spec.size());
+  std::vector<std::string> parts;
+  for (std::size_t begin = colon; begin < spec.size();) {
+    const std::size_t end = std::min(spec.find(',', begin + 1), spec.size());
+    parts.push_back(spec.substr(begin + 1, end - begin - 1));
+    begin = end;
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.push_back(spec.substr(0, colon));
+  return parts;
+}
+
 }  // namespace
+
+std::string repeated_spec(std::span<const std::string> specs) {
+  std::set<std::vector<std::string>> seen;
+  for (const auto& spec : specs)
+    if (!seen.insert(parts_of(spec)).second) return spec;
+  return {};
+}
 
 std::string Spec::parameters() const {
   const std::size_t colon = text.find(':');
