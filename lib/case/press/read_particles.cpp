@@ -11,14 +11,13 @@
 #include <optional>
 
 #include "case/inputs/named_file.hpp"
+#include "case/press/check_overlaps.hpp"
 #include "case/press/read_kinematics.hpp"
 #include "case/press/read_values.hpp"
 #include "case/read_packing_scene.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "dynamics/laws/contact_law.hpp"
 #include "dynamics/random_addition.hpp"
-#include "packing/near_pairs.hpp"
 #include "packing/pack_checks.hpp"
 #include "packing/read.hpp"
 #include "packing/relaxation/size_distribution.hpp"
@@ -227,32 +226,6 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
   reading.input.state.bonds = std::move(bonds);
 }
 
-std::string where_is(const ModelInput& input, std::size_t i) {
-  const Vec3& at = input.state.position[i];
-  return fmt::format("particle {} at ({:.6g}, {:.6g}, {:.6g}) m", input.particles.id[i], at.x, at.y, at.z);
-}
-
-void check_start(const TomlTable& table, double largest, const ModelInput& input) {
-  const auto& position = input.state.position;
-  const auto& radius = input.particles.radius;
-  const char* way_out = "move them apart, or allow it with max_overlap";
-  for (const auto& [i, j] : near_pairs(position, radius)) {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    const double strain = -pair_strain(norm(position[b] - position[a]), radius[a] + radius[b]);
-    if (strain > largest)
-      throw InputError(
-          fmt::format("{}: {} and {} overlap by {:.4g} of the sum of their radii at the start; {}",
-                      table.where(), where_is(input, a), where_is(input, b), strain, way_out));
-  }
-  std::vector<WallContact> walls;
-  find_wall_contacts(input.model.box, input.model.box.max.z, position, radius, walls);
-  for (const auto& contact : walls)
-    if (-contact.strain > largest)
-      throw InputError(fmt::format("{}: {} overlaps the {} wall by {:.4g} of its radius at the start; {}",
-                                   table.where(), where_is(input, static_cast<std::size_t>(contact.particle)),
-                                   wall_name(contact.wall), -contact.strain, way_out));
-}
-
 }  // namespace
 
 void read_particles(TomlTable table, const std::vector<PressMaterial>& materials, double initial,
@@ -279,10 +252,9 @@ void read_particles(TomlTable table, const std::vector<PressMaterial>& materials
     read_list(*list, reading);
   else
     generate(table, seed, reading);
-  constexpr double rounding = 1e-9;  // particles that just touch do not overlap
   const auto largest = table.find("max_overlap");
   if (largest && !(largest->number() >= 0 && largest->number() < 1)) largest->reject("it must lie in [0, 1)");
-  check_start(table, largest ? largest->number() : rounding, input);
+  check_overlaps(input, largest ? std::optional(largest->number()) : std::nullopt, table.where());
 }
 
 }  // namespace superstep::dynamics
