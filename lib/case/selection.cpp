@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "core/error.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "core/text/suggest.hpp"
 
 namespace superstep {
@@ -60,7 +61,10 @@ std::vector<char> by_ids(const TomlValue& ids, const Packing& packing) {
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
     const bool elsewhere = packing.part_of && id.integer() >= 0 && id.integer() < packing.part_of->particles;
-    if (found == position.end() && !elsewhere) id.reject("it must be the id of a particle in the packing");
+    if (found == position.end() && !elsewhere)
+      id.reject(
+          "it must be the id of a particle in the packing; " +
+          (packing.part_of ? ids_in_words(0, packing.part_of->particles - 1) : ids_in_words(packing.id)));
     if (found != position.end()) out[found->second] = 1;
   }
   return out;

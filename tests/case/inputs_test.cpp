@@ -221,6 +221,17 @@ TEST_F(Inputs, MatricesEdgeListsAndNodesWithoutCapacity) {
   expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
 }
 
+TEST_F(Inputs, AnUnknownIdIsAnsweredWithThoseThatThereAre) {
+  write_row();
+  folder_.write("e.txt", "3 7 2\n7 12 2\n");
+  const std::string network = "t_end = 1\n[network]\nedges = \"e.txt\"\ncapacity = 1\n";
+  expect_refused(row_case("fixed = [ { where = { ids = [0] }, value = 1 } ]"), "ids run from 1 to 4");
+  expect_refused("probe = 9\n" + row_case(""), "ids run from 1 to 4");
+  expect_refused(network + "fixed = [ { ids = [1], value = 1 } ]\n", "ids are 3, 7, 12");
+  folder_.write("f.csv", "id,value\n1,0\n");
+  expect_refused(network + "fixed = \"f.csv\"\n", "ids are 3, 7, 12");
+}
+
 TEST_F(Inputs, SurroundingsOfALaplacianDrawTheNetworkToTheirValue) {
   folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 3\n2 1 -2\n2 2 2\n");
   const auto scene = load("t_end = 200\n[network]\nmatrix = \"K.mtx\"\ncapacity = 1.0\nambient = 7.0\n");

@@ -11,6 +11,7 @@
 #include "case/inputs/named_column.hpp"
 #include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "core/text/number.hpp"
 
 namespace superstep {
@@ -48,8 +49,8 @@ std::vector<double> of_file(const TomlValue& file, const TomlValue& column,
     if (found == position.end())
       throw InputError(fmt::format(
           "{}: id is {}, which is nobody of this case; the file must hold its particles or nodes, "
-          "each once",
-          rows.where(), in_quotes(rows.cells()[id_column])));
+          "each once: {}",
+          rows.where(), in_quotes(rows.cells()[id_column]), ids_in_words(id)));
     if (!std::isnan(values[found->second]))
       throw InputError(fmt::format("{}: id {} stands twice; keep one", rows.where(), found->first));
     values[found->second] = number_in(rows, value_column);

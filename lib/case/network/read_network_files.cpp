@@ -13,6 +13,7 @@
 #include "case/memory/memory_network.hpp"
 #include "case/network/node_vector.hpp"
 #include "core/error.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "network/files/read_network.hpp"
 
 namespace superstep {
@@ -89,7 +90,7 @@ std::vector<std::size_t> nodes_of(TomlTable& entry, const Graph& graph, const Po
   if (ids.array().empty()) ids.reject("it must hold at least one id");
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
-    if (found == position.end()) id.reject("it must be the id of a node");
+    if (found == position.end()) id.reject("it must be the id of a node; " + ids_in_words(graph.id));
     out.push_back(found->second);
   }
   return out;

@@ -13,6 +13,7 @@
 #include "contact/search.hpp"
 #include "core/error.hpp"
 #include "core/text/csv.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "core/text/suggest.hpp"
 
 namespace superstep {
@@ -39,8 +40,8 @@ std::vector<Neck> read_necks(const std::string& path, const PackingScene& scene)
     const auto a = position.find(rows.integer(i)), b = position.find(rows.integer(j));
     if (a == position.end() || b == position.end())
       throw InputError(
-          fmt::format("{}: contact {}-{} names an unknown id; both must be particles of the packing",
-                      rows.where(), rows.integer(i), rows.integer(j)));
+          fmt::format("{}: contact {}-{} names an unknown id; both must be particles of the packing: {}",
+                      rows.where(), rows.integer(i), rows.integer(j), ids_in_words(packing.id)));
     if (a->second == b->second || !(rows.number(radius) > 0))
       throw InputError(
           fmt::format("{}: contact {}-{} with neck radius {}; it must join two particles and be > 0",
