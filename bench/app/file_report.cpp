@@ -10,6 +10,7 @@
 #include "bench/app/cli/command_entry.hpp"
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
+#include "core/text/number.hpp"
 #include "core/text/toml.hpp"
 #include "network/components.hpp"
 #include "network/files/matrix_market.hpp"
@@ -125,14 +126,26 @@ std::string packing_json(const Packing& packing, const std::string& path,
 
 /// A network file by its content: what it is, and the network; nothing for other files.
 struct NetworkFile {
-  std::string format;
+  std::string format, key;  ///< of [network]
   NetworkInput input;
 };
+
+/// Rows of two whole numbers and one more. A packing has a position and a size in each, four at least.
+bool holds_bare_edges(const std::string& path, const std::string& text) {
+  DelimitedTable table(path, text);
+  while (table.next()) {
+    const auto cells = table.cells();
+    if (cells.size() != 3 || !parse_whole_number(cells[0]) || !parse_whole_number(cells[1]) ||
+        !parse_number(cells[2]))
+      return false;
+  }
+  return true;
+}
 
 std::optional<NetworkFile> read_as_network(const std::string& path) {
   const std::string text = read_file(path);
   if (is_matrix_market(text))
-    return NetworkFile{"Matrix Market", read_matrix_network(path, MatrixKind::automatic, 0.0)};
+    return NetworkFile{"Matrix Market", "matrix", read_matrix_network(path, MatrixKind::automatic, 0.0)};
   if (text.find('\0') != std::string::npos || text.find_first_not_of(" \t\r\n") == std::string::npos)
     return std::nullopt;
   std::vector<std::string> names;
@@ -148,7 +161,7 @@ std::optional<NetworkFile> read_as_network(const std::string& path) {
   if (ends_with("throat.conns[0]") != names.end()) {
     for (const auto& name : names)
       if (name.find("throat.") != std::string::npos && name.find("conductance") != std::string::npos)
-        return NetworkFile{fmt::format("OpenPNM pore network, conducting by '{}'", name),
+        return NetworkFile{fmt::format("OpenPNM pore network, conducting by '{}'", name), "openpnm",
                            read_openpnm(path, name.substr(name.find("throat.")), {}).input};
     throw InputError(
         fmt::format("{}: a pore network without a column throat.*conductance; export one", path));
@@ -156,7 +169,10 @@ std::optional<NetworkFile> read_as_network(const std::string& path) {
   const auto has = [&](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  if (has("i") && has("j") && has("conductance")) return NetworkFile{"edge list", read_edge_list(path)};
+  if (has("i") && has("j") && has("conductance"))
+    return NetworkFile{"edge list", "edges", read_edge_list(path)};
+  if (names.empty() && holds_bare_edges(path, text))
+    return NetworkFile{"edge list without a header: i, j, conductance", "edges", read_edge_list(path)};
   return std::nullopt;
 }
 
@@ -184,6 +200,8 @@ std::string network_report(const NetworkFile& network, const std::string& path, 
          row("nodes", fmt::format("{}", graph.nodes())) + row("edges", fmt::format("{}", graph.edges())) +
          row("components", fmt::format("{}", components.count)) +
          row("conductances", fmt::format("{:.4g} to {:.4g} W/K or S", low, high)) +
+         row("in a case", fmt::format("[network] {} = \"{}\", with capacity = ...", network.key,
+                                      std::filesystem::path(path).filename().string())) +
          rows("understood", network.input.notes);
 }
 

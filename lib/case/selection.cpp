@@ -42,7 +42,7 @@ std::vector<char> named_layer(const TomlValue& where, const std::string& side, c
                               double thickness) {
   static const std::vector<std::string> sides = {"top", "bottom", "+x", "-x", "+y", "-y", "+z", "-z"};
   if (std::find(sides.begin(), sides.end(), side) == sides.end())
-    where.reject("the side must be one of top, bottom, +x, -x, +y, -y, +z, -z" + suggestion(side, sides));
+    where.reject("the side must be one of top, bottom, +x, -x, +y, -y, +z, -z" + near_miss(side, sides));
   if (side == "top") return layer(packing, '+', 'z', thickness);
   if (side == "bottom") return layer(packing, '-', 'z', thickness);
   return layer(packing, side[0], side[1], thickness);

@@ -123,10 +123,22 @@ TEST_F(FileReport, NetworksAndOtherFiles) {
   folder_.write("e.csv", "i,j,conductance\n1,2,3\n2,3,4\n");
   ASSERT_EQ(run("info e.csv"), 0) << err();
   expect_out("edge list");
+  folder_.write("e.txt", "1 2 3.0\n2 3 4.0\n");
+  ASSERT_EQ(run("info e.txt"), 0) << err();
+  expect_out("edge list without a header");
+  expect_out("[network] edges = \"e.txt\", with capacity");
   folder_.write("prose.txt", "these are not spheres\n");
   EXPECT_EQ(run("info prose.txt"), 3);
   EXPECT_EQ(run("info nothing.dump"), 3);
   EXPECT_EQ(run("info K.mtx --conductivity -1"), 2);
+}
+
+TEST_F(FileReport, AReaderThatHasSeenEnoughIsNoFault) {
+  const std::string command = fmt::format("'{}' list --keys 2>'{}'; echo $? >'{}'", SUPERSTEP_PROGRAM,
+                                          folder_.file("stderr.txt"), folder_.file("code.txt"));
+  pclose(popen(command.c_str(), "r"));  // NOLINT(cert-env33-c): nobody reads
+  EXPECT_EQ(err(), "");
+  EXPECT_EQ(folder_.read("code.txt"), "0\n");
 }
 
 TEST_F(FileReport, TheSystemOfACaseReadsBack) {

@@ -232,6 +232,15 @@ TEST_F(Inputs, AnUnknownIdIsAnsweredWithThoseThatThereAre) {
   expect_refused(network + "fixed = \"f.csv\"\n", "ids are 3, 7, 12");
 }
 
+TEST_F(Inputs, ANumberWithoutUnitIsFollowedByNoBlank) {
+  std::string csv = "id,x,y,z,r\n";
+  for (int k = 0; k < 125; ++k) csv += std::to_string(k) + "," + std::to_string(k) + ",0,0,0.01\n";
+  folder_.write("row.csv", csv);
+  std::string all;
+  for (const auto& one : load(row_case("")).warnings) all += one + "\n";
+  EXPECT_NE(all.find("smallest mean coordination is 0; usual values"), std::string::npos) << all;
+}
+
 TEST_F(Inputs, SurroundingsOfALaplacianDrawTheNetworkToTheirValue) {
   folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 3\n2 1 -2\n2 2 2\n");
   const auto scene = load("t_end = 200\n[network]\nmatrix = \"K.mtx\"\ncapacity = 1.0\nambient = 7.0\n");

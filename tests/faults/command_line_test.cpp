@@ -207,6 +207,23 @@ TEST_F(CommandLine, OptionsThatWouldBeIgnoredAreRefused) {
   refuse({"completion", "bash", "--json"}, "--json");
 }
 
+TEST_F(CommandLine, AnOptionWithoutItsValueSaysWhatThatIs) {
+  refuse({"run", case_, "--tolerance"}, "--tolerance needs a value: --tolerance X (error allowed");
+  refuse({"run", case_, "--out", "--quiet"}, "--out needs a value: --out DIR (folder for");
+  refuse({"run", case_, "--tolerance", "1e-3", "--tolerance", "1e-4"}, "--tolerance stands more than once");
+}
+
+TEST_F(CommandLine, ACaseNeedsNoOtherToStartFrom) {
+  refuse({"init", case_, "-o", folder_.file("new.toml")}, "is a case already");
+}
+
+TEST_F(CommandLine, UnitsThatTheLineStatesTwiceAreItsOwnFault) {
+  const auto packing = folder_.write("p.csv", "id,x,y,z,radius\n1,0,0,0.01,0.0102\n2,0,0,0.03,0.0102\n");
+  before_ = test::files_below(folder_.file("."));
+  refuse({"info", packing, "--units", "si", "--length-unit", "mm"},
+         "the unit of length is mm, and beside it stands units si; leave one of the two out");
+}
+
 TEST_F(CommandLine, AMethodIsNamedOnce) {
   const auto twice =
       test::write_rod(folder_, test::Rod{.nodes = 5, .bench = "integrators = [\"rkc\", \"rkc\"]\n"}, "twice");

@@ -35,10 +35,9 @@ void check(const std::string& spec, const OptionKey& key, const std::string& val
         number && inside(key, static_cast<double>(*number)) && static_cast<double>(*number) <= largest_int;
   }
   if (!valid) {
-    const std::string near = key.words.empty() ? std::string{} : suggestion(value, key.words);
     throw UsageError(fmt::format("{}: {} = {} is not valid; it must be {}{}{}", spec, key.name,
                                  in_quotes(value), key.type == OptionKey::Type::integer ? "an integer, " : "",
-                                 key.range(), near));
+                                 key.range(), near_miss(value, key.words)));
   }
 }
 
@@ -80,6 +79,8 @@ Spec parse_spec(const std::string& text) {
         fmt::format("integrator {}: {}; write name or name:key=value,key=value", in_quotes(text), what));
   };
   if (spec.name.empty()) throw usage("the name is empty");
+  if (spec.name.find(',') != std::string::npos)
+    throw usage("a comma stands between settings, and several integrators are given apart, as in rkc rkl");
   if (colon == std::string::npos) return spec;
   std::string rest = text.substr(colon + 1);
   for (bool more = true; more;) {
