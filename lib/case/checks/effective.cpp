@@ -183,9 +183,10 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
   out.length = gap;
   out.area = stated ? scene.packed->container->cross_section : box_area(packing, axis);
   const bool walled = !scene.packed->packing.cell || !scene.packed->packing.cell->is_periodic();
-  out.note = stated || !walled
-                 ? ""
-                 : "cross-section taken from the bounding box; state [packing] container for a cylinder";
+  if (!stated && walled) {
+    out.note = "cross-section taken from the bounding box";
+    out.advice = "state [packing] container for a cylinder";
+  }
   out.value = out.flow * gap / (out.area * (high - low));
   return out;
 }

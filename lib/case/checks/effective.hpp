@@ -14,6 +14,10 @@ struct EffectiveConductivity {
   double length = 0;            ///< m, between the facing innermost centres of the two layers
   double area = 0;              ///< m^2
   std::string note;             ///< why there is no value, or what was assumed
+  std::string advice;           ///< to the author of the case, about what was assumed
+
+  /// Both.
+  [[nodiscard]] std::string note_and_advice() const { return advice.empty() ? note : note + "; " + advice; }
 };
 
 /// What a steady current between two electrodes does, at the conductivities' reference values.
