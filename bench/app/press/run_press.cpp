@@ -56,8 +56,10 @@ void begin(const Press& one, const RunCommand& command, Motion& motion) {
                                  command.restart, one.file));
   dynamics::require_same_model(stored, one.model, command.restart, one.file);
   if (!(stored.state.time < one.t_end))
-    throw InputError(fmt::format("{}: its time {} s is not before t_end = {} s of {}; raise t_end",
-                                 command.restart, stored.state.time, one.t_end, one.file));
+    throw InputError(
+        fmt::format("{}: it is at {} s, and {} ends at t_end = {} s: nothing is left to run; raise "
+                    "t_end to go further",
+                    command.restart, stored.state.time, one.file, one.t_end));
   motion.resume(std::move(stored.state), stored.next_step, std::move(stored.history));
 }
 
