@@ -92,9 +92,13 @@ Lattice lattice_of(const Arguments& values, double unit) {
   while ((side + 1) * (side + 1) * (side + 1) <= most) ++side;
   for (const auto& [option, text] : {std::pair("--spacing", values.spacing), {"--diameter", values.diameter}})
     if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a lattice", option));
-  return {.cells = {side, side, side},
-          .spacing = unit * parse_positive_option("--spacing", values.spacing),
-          .diameter = unit * parse_positive_option("--diameter", values.diameter)};
+  const Lattice lattice{.cells = {side, side, side},
+                        .spacing = unit * parse_positive_option("--spacing", values.spacing),
+                        .diameter = unit * parse_positive_option("--diameter", values.diameter)};
+  if (const auto rule = broken_rule(lattice); !rule.empty())
+    throw UsageError(
+        fmt::format("--diameter {} is not valid; {}", superstep::in_quotes(values.diameter), rule));
+  return lattice;
 }
 
 Command from_line(const Arguments& values) {
@@ -144,6 +148,11 @@ PackReport report_of(const Lattice& lattice) {
 
 int say(const PackCommand& command, std::size_t particles, const PackReport& report) {
   print_data(command.common.json ? report_json(particles, report) : report_text(particles, report));
+  if (report.relative_density > 1 && !command.common.quiet)
+    warn({fmt::format(
+        "the relative density is {:.3g}: the spheres overlap so much that their volumes exceed the "
+        "space that they fill",
+        report.relative_density)});
   if (!command.common.quiet) note(fmt::format("packing in {}", command.file));
   return 0;
 }
@@ -195,26 +204,28 @@ CommandEntry pack_command() {
           "  superstep pack --lattice 1e6 --spacing 1 --diameter 1.02 --length-unit mm -o lattice.csv",
       .positional = "",
       .positional_meaning = "",
-      .options = {{"--container", &Arguments::container, "cylinder or box (default cylinder)", "SHAPE"},
-                  {"--lattice", &Arguments::lattice,
-                   "instead: the largest cube of at most N spheres on a cubic lattice", "N"},
-                  {"--spacing", &Arguments::spacing, "of the lattice", "L"},
-                  {"--diameter", &Arguments::diameter, "of the cylinder, or of the lattice's spheres", "L"},
-                  {"--width", &Arguments::width, "of the box, x", "L"},
-                  {"--depth", &Arguments::depth, "of the box, y", "L"},
-                  {"--height", &Arguments::height, "of the container, z", "L"},
-                  {"--count", &Arguments::count,
-                   "number of spheres; default: as many as density and sizes ask for", "N"},
-                  {"--relative-density", &Arguments::relative_density,
-                   "sphere volume over container volume (default 0.64)", "X"},
-                  {"--sizes", &Arguments::sizes,
-                   "diameters: lognormal:median=,sigma=,min=,max= | uniform:min=,max= | list:d1,d2,...",
-                   "SIZES"},
-                  {"--seed", &Arguments::seed, "same seed, same packing (default 1)", "N"},
-                  {"--length-unit", &Arguments::length_unit,
-                   "of the lengths given here: m, cm, mm, um, nm (default m)", "UNIT"},
-                  {"-o,--output", &Arguments::file, "packing file to write (CSV in metres, which it states)",
-                   "FILE"}},
+      .options =
+          {{"--container", &Arguments::container, "cylinder or box (default cylinder)", "SHAPE"},
+           {"--lattice", &Arguments::lattice,
+            "instead: the largest cube of at most N spheres on a cubic lattice", "N"},
+           {"--spacing", &Arguments::spacing, "of the lattice", "L"},
+           {"--diameter", &Arguments::diameter, "of the cylinder, or of the lattice's spheres", "L"},
+           {"--width", &Arguments::width, "of the box, x", "L"},
+           {"--depth", &Arguments::depth, "of the box, y", "L"},
+           {"--height", &Arguments::height, "of the container, z", "L"},
+           {"--count", &Arguments::count,
+            "number of spheres, for lognormal sizes, whose median it fits; default: as many as density "
+            "and sizes ask for",
+            "N"},
+           {"--relative-density", &Arguments::relative_density,
+            "sphere volume over container volume (default 0.64)", "X"},
+           {"--sizes", &Arguments::sizes,
+            "diameters: lognormal:median=,sigma=,min=,max= | uniform:min=,max= | list:d1,d2,...", "SIZES"},
+           {"--seed", &Arguments::seed, "same seed, same packing (default 1)", "N"},
+           {"--length-unit", &Arguments::length_unit,
+            "of the lengths given here: m, cm, mm, um, nm (default m)", "UNIT"},
+           {"-o,--output", &Arguments::file, "packing file to write (CSV in metres, which it states)",
+            "FILE"}},
       .make = from_line};
 }
 

@@ -224,6 +224,16 @@ TEST_F(CommandLine, UnitsThatTheLineStatesTwiceAreItsOwnFault) {
          "the unit of length is mm, and beside it stands units si; leave one of the two out");
 }
 
+TEST_F(CommandLine, ALatticeOfSpheresThatHoldOneAnotherIsRefused) {
+  refuse({"pack", "--lattice", "100", "--spacing", "1", "--diameter", "3", "-o", folder_.file("l.csv")},
+         "--diameter '3' is not valid; it must be less than twice the spacing");
+  const auto path = folder_.write("l.toml",
+                                  "t_end = 1.0\n[packing]\ngenerator = \"lattice\"\ncells = [2, 2, "
+                                  "2]\nspacing = 1.0\ndiameter = 3.0\n[thermal]\n");
+  before_ = test::files_below(folder_.file("."));
+  refuse({"info", path}, "l.toml:6: key 'packing.diameter'");
+}
+
 TEST_F(CommandLine, AMethodIsNamedOnce) {
   const auto twice =
       test::write_rod(folder_, test::Rod{.nodes = 5, .bench = "integrators = [\"rkc\", \"rkc\"]\n"}, "twice");
