@@ -220,7 +220,7 @@ void require_conductivity(const FileOptions& options) {
                                 {!options.neck.empty(), "--neck"}};
   refuse_given(
       "info", asking,
-      "says how a packing conducts, which is computed with --conductivity; add that, or leave it out");
+      "is about how a packing conducts, which is told with --conductivity; add that, or leave it out");
 }
 
 }  // namespace

@@ -90,8 +90,8 @@ void require_distinct_names(const std::vector<std::string>& files) {
 
 void require_distinct_specs(const std::vector<std::string>& specs) {
   if (const auto twice = repeated_spec(specs); !twice.empty())
-    throw UsageError(
-        fmt::format("--integrator: {} stands twice; leave one of the two out", superstep::in_quotes(twice)));
+    throw UsageError(fmt::format("{} stands twice among the integrators; leave one of the two out",
+                                 superstep::in_quotes(twice)));
 }
 
 void check_specs(const std::vector<std::string>& specs) {

@@ -101,6 +101,15 @@ TEST_F(FileReport, NothingConductsWhereNoPathOfContactsLeads) {
   }
 }
 
+TEST_F(FileReport, ACaseWithoutContactsIsDescribedInNumbers) {
+  folder_.write("p.csv", "id,x,y,z,radius\n1,0,0,0.01,0.005\n2,0,0,0.03,0.005\n3,0,0,0.05,0.005\n");
+  ASSERT_EQ(run("init p.csv -o case.toml"), 0) << err();
+  ASSERT_EQ(run("info case.toml"), 0) << err();
+  expect_out("0 W/(m K) (no path of contacts");
+  expect_out("nothing conducts");
+  EXPECT_EQ(out().find("nan"), std::string::npos) << out();
+}
+
 TEST_F(FileReport, InitWritesACaseThatRuns) {
   write_dump("pp pp ff");
   ASSERT_EQ(run("init p.dump --conductivity 85 --density 5910 --specific-heat 640 -o sub.toml"), 0) << err();

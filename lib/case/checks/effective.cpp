@@ -162,8 +162,8 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
   if (!are_joined(graph, low, high)) {
     out.value = 0;
     out.note =
-        "no path of contacts from side to side; [contact] gap joins particles that nearly touch, or "
-        "length_unit is another";
+        "no path of contacts from side to side; is length_unit right, or should [contact] gap join particles "
+        "that nearly touch?";
     return out;
   }
   const auto& packing = scene.packed->packing;
