@@ -50,8 +50,9 @@ class Automatic final : public Method {
     });
     const double sweep = sweep_seconds(work, constants);
     choice_ = fmt::format(
-        "{}, because it costs about {:.0f} sweeps over the network; {} would cost the work of {:.0f}", spec,
-        all.front().seconds / sweep, method_of(spec_of(*other, work)), other->seconds / sweep);
+        "{} for an error of {:g} of the span, because it costs about {:.0f} sweeps over the network; {} "
+        "would cost the work of {:.0f}",
+        spec, rtol_, all.front().seconds / sweep, method_of(spec_of(*other, work)), other->seconds / sweep);
     return spec;
   }
   [[nodiscard]] static std::string method_of(const std::string& spec) {

@@ -26,6 +26,14 @@
 namespace superstep {
 namespace {
 
+void require_options_of_press(const BenchCommand& command, const std::string& file) {
+  if (command.case_files.size() > 1)
+    throw UsageError("bench: a case with moving particles ([dynamics]) is measured on its own");
+  const GivenOption still[] = {{command.harness.limits.sweeps > 0, "--max-work"},
+                               {command.harness.count_instructions, "--instructions"}};
+  refuse_for_moving("bench", still, file);
+}
+
 std::vector<LoadedCase> load_all(const BenchCommand& command) {
   check_specs(command.harness.integrators);
   const auto& reference = command.harness.reference;
@@ -34,9 +42,8 @@ std::vector<LoadedCase> load_all(const BenchCommand& command) {
   require_distinct_names(command.case_files);
   for (const auto& file : command.case_files) {
     cases.push_back(load_bench_case(file));
-    if (!command.press_table && command.case_files.size() > 1 &&
-        std::holds_alternative<Press>(cases.back().content))
-      throw UsageError("bench: a case with moving particles ([dynamics]) is measured on its own");
+    if (!command.press_table && std::holds_alternative<Press>(cases.back().content))
+      require_options_of_press(command, file);
   }
   return cases;
 }
@@ -104,8 +111,16 @@ void take(const Arguments& values, Benchmark& command, Options& options, int rep
   options.limits = run_limits(values, usual_time_limit);
 }
 
+/// Throws UsageError for an option that a special kind of benchmark would ignore.
+void refuse_beside(const char* kind, std::span<const GivenOption> options) {
+  refuse_given("bench", options, fmt::format("does not go with {}; leave one of them out", kind));
+}
+
 Command make_work_precision(const Arguments& values) {
-  if (values.json) throw UsageError("bench: --work-precision writes CSV and a table; leave --json out");
+  const GivenOption foreign[] = {{values.json, "--json"},
+                                 {values.instructions, "--instructions"},
+                                 {values.press_table, "--press-table"}};
+  refuse_beside("--work-precision", foreign);
   if (values.reference == "none")
     throw UsageError("bench: --work-precision needs a reference; leave --reference none out");
   WorkPrecisionCommand command;
@@ -114,12 +129,11 @@ Command make_work_precision(const Arguments& values) {
 }
 
 Command make_corpus(const Arguments& values) {
-  for (const auto& [given, what] : {std::pair{!values.cases.empty(), "a case file"},
-                                    {values.work_precision, "--work-precision"},
-                                    {!values.reference.empty(), "--reference"},
-                                    {values.json, "--json"}})
-    if (given)
-      throw UsageError(fmt::format("bench: {} does not go with --corpus; leave one of them out", what));
+  const GivenOption foreign[] = {
+      {!values.cases.empty(), "a case file"},     {values.work_precision, "--work-precision"},
+      {!values.reference.empty(), "--reference"}, {values.json, "--json"},
+      {values.instructions, "--instructions"},    {values.press_table, "--press-table"}};
+  refuse_beside("--corpus", foreign);
   CorpusCommand command;
   command.common = common_options(values);
   command.corpus = values.corpus;
@@ -134,11 +148,24 @@ Command make_corpus(const Arguments& values) {
   return command;
 }
 
+/// A table of presses runs each of them as its case says.
+void require_options_of_press_table(const Arguments& values) {
+  const GivenOption foreign[] = {{!values.integrators.empty(), "--integrator"},
+                                 {values.repetitions.has_value(), "--repetitions"},
+                                 {!values.reference.empty(), "--reference"},
+                                 {!values.time_limit.empty(), "--time-limit"},
+                                 {!values.max_work.empty(), "--max-work"},
+                                 {values.instructions, "--instructions"},
+                                 {values.no_cache, "--no-cache"}};
+  refuse_beside("--press-table", foreign);
+}
+
 Command from_line(const Arguments& values) {
   if (!values.corpus.empty()) return make_corpus(values);
   if (values.markdown) throw UsageError("bench: --markdown goes with --corpus; leave it out, or give both");
   if (values.cases.empty()) throw UsageError("bench: a case file is missing; see superstep bench --help");
   if (values.work_precision) return make_work_precision(values);
+  if (values.press_table) require_options_of_press_table(values);
   BenchCommand command;
   command.press_table = values.press_table;
   take(values, command, command.harness, command.harness.repetitions);

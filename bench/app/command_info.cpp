@@ -1,6 +1,10 @@
 /// superstep info: the health of a case's network, without integrating it; or what a packing or network file
 /// is.
 
+#include <fmt/format.h>
+
+#include <array>
+
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/app/file_report.hpp"
@@ -28,8 +32,7 @@ int info(const InfoCommand& command, const Scene& scene) {
 }
 
 int info(const InfoCommand& command, const Press& press) {
-  if (!command.matrix.empty())
-    throw UsageError("info: --matrix is for networks that stay as they are, and these particles move");
+  refuse_for_moving("info", std::array{GivenOption{!command.matrix.empty(), "--matrix"}}, press.file);
   return info_press(command, press);
 }
 
@@ -42,6 +45,11 @@ int execute(const InfoCommand& command) {
     print_data(file_report(command));
     return 0;
   }
+  if (!command.file.given.empty())
+    throw UsageError(fmt::format(
+        "info: {} is about a packing file, and {} is a case, which says such things itself; leave "
+        "it out, or give the packing",
+        command.file.given.front(), command.case_file));
   return std::visit([&](const auto& one) { return info(command, one); }, load_case(command.case_file));
 }
 

@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Command from_line(const Arguments& values) {
+  if (values.json) throw UsageError("init: writes a case and prints nothing; leave --json out");
   InitCommand command{.common = common_options(values),
                       .packing_file = single_case(values, "init"),
                       .case_file = values.file,
@@ -39,6 +40,11 @@ int execute(const InitCommand& command) {
   if (fs::exists(command.case_file))
     throw UsageError(
         fmt::format("init: {} is there already; remove it, or choose another name", command.case_file));
+  if (!is_no_case(command.packing_file))
+    throw InputError(
+        fmt::format("{0}: this is a case already; go on with superstep info {0} or superstep run {0}, or "
+                    "give a packing file",
+                    command.packing_file));
   const Packing packing = read_packing(command.packing_file, command.file.reading);
   StarterSettings settings = starter_settings(packing, command.file, command.packing_file);
   settings.t_end = assess_conduction(packing, command.packing_file, settings).time;

@@ -46,17 +46,18 @@ std::string report_json(std::size_t particles, const PackReport& report) {
 }
 
 Container container_of(const Arguments& values, double unit) {
+  const std::string shape = values.container.empty() ? "cylinder" : values.container;
   const auto length = [&](const char* option, const std::string& text) {
-    if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a {}", option, values.container));
+    if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a {}", option, shape));
     return unit * parse_positive_option(option, text);
   };
   Container container;
   container.height = length("--height", values.height);
-  if (values.container == "cylinder") {
+  if (shape == "cylinder") {
     if (!values.width.empty() || !values.depth.empty())
       throw UsageError("pack: --width and --depth belong to a box; a cylinder has --diameter");
     container.diameter = length("--diameter", values.diameter);
-  } else if (values.container == "box") {
+  } else if (shape == "box") {
     if (!values.diameter.empty())
       throw UsageError("pack: --diameter belongs to a cylinder; a box has --width, --depth");
     container.shape = Container::Shape::box;
@@ -64,25 +65,24 @@ Container container_of(const Arguments& values, double unit) {
     container.depth = length("--depth", values.depth);
   } else {
     const std::vector<std::string> shapes = {"cylinder", "box"};
-    throw UsageError(fmt::format("--container {} is not valid{}", superstep::in_quotes(values.container),
-                                 suggestion(values.container, shapes)));
+    throw UsageError(
+        fmt::format("--container {} is not valid{}", superstep::in_quotes(shape), suggestion(shape, shapes)));
   }
   return container;
 }
 
 /// The largest cube of at most so many spheres.
 Lattice lattice_of(const Arguments& values, double unit) {
-  for (const auto& [option, text] : {std::pair("--sizes", values.sizes),
-                                     {"--count", values.count},
-                                     {"--width", values.width},
-                                     {"--depth", values.depth},
-                                     {"--height", values.height},
-                                     {"--relative-density", values.relative_density}})
-    if (!text.empty())
-      throw UsageError(
-          fmt::format("pack: {} belongs to a container that is filled; a lattice has --spacing and "
-                      "--diameter",
-                      option));
+  const GivenOption foreign[] = {{!values.container.empty(), "--container"},
+                                 {!values.sizes.empty(), "--sizes"},
+                                 {!values.count.empty(), "--count"},
+                                 {!values.width.empty(), "--width"},
+                                 {!values.depth.empty(), "--depth"},
+                                 {!values.height.empty(), "--height"},
+                                 {!values.relative_density.empty(), "--relative-density"},
+                                 {!values.seed.empty(), "--seed"}};
+  refuse_given("pack", foreign,
+               "belongs to a container that is filled; a lattice has --spacing and --diameter");
   const double count = parse_positive_option("--lattice", values.lattice);
   if (!(count >= 1) || count > static_cast<double>(largest_packing))
     throw UsageError(fmt::format("--lattice {} is not valid: it must lie between 1 and {}",
@@ -92,9 +92,13 @@ Lattice lattice_of(const Arguments& values, double unit) {
   while ((side + 1) * (side + 1) * (side + 1) <= most) ++side;
   for (const auto& [option, text] : {std::pair("--spacing", values.spacing), {"--diameter", values.diameter}})
     if (text.empty()) throw UsageError(fmt::format("pack: {} is missing for a lattice", option));
-  return {.cells = {side, side, side},
-          .spacing = unit * parse_positive_option("--spacing", values.spacing),
-          .diameter = unit * parse_positive_option("--diameter", values.diameter)};
+  const Lattice lattice{.cells = {side, side, side},
+                        .spacing = unit * parse_positive_option("--spacing", values.spacing),
+                        .diameter = unit * parse_positive_option("--diameter", values.diameter)};
+  if (const auto rule = broken_rule(lattice); !rule.empty())
+    throw UsageError(
+        fmt::format("--diameter {} is not valid; {}", superstep::in_quotes(values.diameter), rule));
+  return lattice;
 }
 
 Command from_line(const Arguments& values) {
@@ -115,7 +119,8 @@ Command from_line(const Arguments& values) {
     settings.relative_density = parse_positive_option("--relative-density", values.relative_density);
   if (!values.count.empty())
     settings.count = static_cast<std::size_t>(parse_integer_option("--count", values.count, 1, unlimited));
-  settings.seed = static_cast<std::uint64_t>(parse_integer_option("--seed", values.seed, 0, unlimited));
+  if (!values.seed.empty())
+    settings.seed = static_cast<std::uint64_t>(parse_integer_option("--seed", values.seed, 0, unlimited));
   return command;
 }
 
@@ -143,6 +148,11 @@ PackReport report_of(const Lattice& lattice) {
 
 int say(const PackCommand& command, std::size_t particles, const PackReport& report) {
   print_data(command.common.json ? report_json(particles, report) : report_text(particles, report));
+  if (report.relative_density > 1 && !command.common.quiet)
+    warn({fmt::format(
+        "the relative density is {:.3g}: the spheres overlap so much that their volumes exceed the "
+        "space that they fill",
+        report.relative_density)});
   if (!command.common.quiet) note(fmt::format("packing in {}", command.file));
   return 0;
 }
@@ -194,26 +204,28 @@ CommandEntry pack_command() {
           "  superstep pack --lattice 1e6 --spacing 1 --diameter 1.02 --length-unit mm -o lattice.csv",
       .positional = "",
       .positional_meaning = "",
-      .options = {{"--container", &Arguments::container, "cylinder or box (default cylinder)", "SHAPE"},
-                  {"--lattice", &Arguments::lattice,
-                   "instead: the largest cube of at most N spheres on a cubic lattice", "N"},
-                  {"--spacing", &Arguments::spacing, "of the lattice", "L"},
-                  {"--diameter", &Arguments::diameter, "of the cylinder, or of the lattice's spheres", "L"},
-                  {"--width", &Arguments::width, "of the box, x", "L"},
-                  {"--depth", &Arguments::depth, "of the box, y", "L"},
-                  {"--height", &Arguments::height, "of the container, z", "L"},
-                  {"--count", &Arguments::count,
-                   "number of spheres; default: as many as density and sizes ask for", "N"},
-                  {"--relative-density", &Arguments::relative_density,
-                   "sphere volume over container volume (default 0.64)", "X"},
-                  {"--sizes", &Arguments::sizes,
-                   "diameters: lognormal:median=,sigma=,min=,max= | uniform:min=,max= | list:d1,d2,...",
-                   "SIZES"},
-                  {"--seed", &Arguments::seed, "same seed, same packing (default 1)", "N"},
-                  {"--length-unit", &Arguments::length_unit,
-                   "of the lengths given here: m, cm, mm, um, nm (default m)", "UNIT"},
-                  {"-o,--output", &Arguments::file, "packing file to write (CSV in metres, which it states)",
-                   "FILE"}},
+      .options =
+          {{"--container", &Arguments::container, "cylinder or box (default cylinder)", "SHAPE"},
+           {"--lattice", &Arguments::lattice,
+            "instead: the largest cube of at most N spheres on a cubic lattice", "N"},
+           {"--spacing", &Arguments::spacing, "of the lattice", "L"},
+           {"--diameter", &Arguments::diameter, "of the cylinder, or of the lattice's spheres", "L"},
+           {"--width", &Arguments::width, "of the box, x", "L"},
+           {"--depth", &Arguments::depth, "of the box, y", "L"},
+           {"--height", &Arguments::height, "of the container, z", "L"},
+           {"--count", &Arguments::count,
+            "number of spheres, for lognormal sizes, whose median it fits; default: as many as density "
+            "and sizes ask for",
+            "N"},
+           {"--relative-density", &Arguments::relative_density,
+            "sphere volume over container volume (default 0.64)", "X"},
+           {"--sizes", &Arguments::sizes,
+            "diameters: lognormal:median=,sigma=,min=,max= | uniform:min=,max= | list:d1,d2,...", "SIZES"},
+           {"--seed", &Arguments::seed, "same seed, same packing (default 1)", "N"},
+           {"--length-unit", &Arguments::length_unit,
+            "of the lengths given here: m, cm, mm, um, nm (default m)", "UNIT"},
+           {"-o,--output", &Arguments::file, "packing file to write (CSV in metres, which it states)",
+            "FILE"}},
       .make = from_line};
 }
 

@@ -176,8 +176,9 @@ CommandEntry run_command() {
           "  superstep run cases/nial_thermal.toml --integrator cvode --tolerance 1e-7\n"
           "  superstep run cases/nial_thermal.toml --vtk --out result   (then open "
           "result/vtk/particles.pvd)\n"
-          "  superstep run cases/sintering_example.toml --out result --checkpoint 0.1\n"
-          "  superstep run cases/sintering_example.toml --restart result/checkpoint.bin\n"
+          "  superstep run cases/sintering_example.toml --out result --time-limit 2   (stops, with a "
+          "checkpoint)\n"
+          "  superstep run cases/sintering_example.toml --out result --restart result/checkpoint.bin\n"
           "  superstep run cases/sintering_example.toml --export-packing pressed.csv",
       .positional = "CASE",
       .positional_meaning = "case file (TOML)",

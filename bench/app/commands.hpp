@@ -63,6 +63,7 @@ struct FileOptions {
   char axis = 0;            ///< 'x', 'y', 'z'; 0 = the longest open one
   std::string neck;         ///< law; empty = hertz
   std::optional<double> conductivity, density, specific_heat;
+  std::vector<std::string> given;  ///< names of the options that stand on the line
 };
 
 /// superstep bench --corpus

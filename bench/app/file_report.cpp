@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/cli/command_entry.hpp"
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
+#include "core/text/number.hpp"
 #include "core/text/toml.hpp"
 #include "network/components.hpp"
 #include "network/files/matrix_market.hpp"
@@ -81,6 +83,7 @@ std::string packing_text(const Packing& packing, const std::string& path,
              value(conduction->between_layers) +
                  (conduction->periodic ? ", cut open, between layers at both ends" : "") +
                  (conduction->note.empty() ? "" : "; " + conduction->note));
+  if (!conduction->passes) return out;
   out += row("heat passes in about", fmt::format("{:g} s", conduction->time));
   out += row("recommended over that time", conduction->method);
   return out;
@@ -116,21 +119,33 @@ std::string packing_json(const Packing& packing, const std::string& path,
                          {"effective_conductivity", optional_number(conduction->between_layers)},
                          {"effective_conductivity_periodic", optional_number(conduction->periodic)},
                          {"note", conduction->note},
-                         {"transit_time_s", conduction->time},
-                         {"recommended", conduction->method}};
+                         {"transit_time_s", conduction->passes ? Json(conduction->time) : Json(nullptr)},
+                         {"recommended", conduction->passes ? Json(conduction->method) : Json(nullptr)}};
   return json_text(out);
 }
 
 /// A network file by its content: what it is, and the network; nothing for other files.
 struct NetworkFile {
-  std::string format;
+  std::string format, key;  ///< of [network]
   NetworkInput input;
 };
+
+/// Rows of two whole numbers and one more. A packing has a position and a size in each, four at least.
+bool holds_bare_edges(const std::string& path, const std::string& text) {
+  DelimitedTable table(path, text);
+  while (table.next()) {
+    const auto cells = table.cells();
+    if (cells.size() != 3 || !parse_whole_number(cells[0]) || !parse_whole_number(cells[1]) ||
+        !parse_number(cells[2]))
+      return false;
+  }
+  return true;
+}
 
 std::optional<NetworkFile> read_as_network(const std::string& path) {
   const std::string text = read_file(path);
   if (is_matrix_market(text))
-    return NetworkFile{"Matrix Market", read_matrix_network(path, MatrixKind::automatic, 0.0)};
+    return NetworkFile{"Matrix Market", "matrix", read_matrix_network(path, MatrixKind::automatic, 0.0)};
   if (text.find('\0') != std::string::npos || text.find_first_not_of(" \t\r\n") == std::string::npos)
     return std::nullopt;
   std::vector<std::string> names;
@@ -146,7 +161,7 @@ std::optional<NetworkFile> read_as_network(const std::string& path) {
   if (ends_with("throat.conns[0]") != names.end()) {
     for (const auto& name : names)
       if (name.find("throat.") != std::string::npos && name.find("conductance") != std::string::npos)
-        return NetworkFile{fmt::format("OpenPNM pore network, conducting by '{}'", name),
+        return NetworkFile{fmt::format("OpenPNM pore network, conducting by '{}'", name), "openpnm",
                            read_openpnm(path, name.substr(name.find("throat.")), {}).input};
     throw InputError(
         fmt::format("{}: a pore network without a column throat.*conductance; export one", path));
@@ -154,7 +169,10 @@ std::optional<NetworkFile> read_as_network(const std::string& path) {
   const auto has = [&](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  if (has("i") && has("j") && has("conductance")) return NetworkFile{"edge list", read_edge_list(path)};
+  if (has("i") && has("j") && has("conductance"))
+    return NetworkFile{"edge list", "edges", read_edge_list(path)};
+  if (names.empty() && holds_bare_edges(path, text))
+    return NetworkFile{"edge list without a header: i, j, conductance", "edges", read_edge_list(path)};
   return std::nullopt;
 }
 
@@ -182,7 +200,27 @@ std::string network_report(const NetworkFile& network, const std::string& path, 
          row("nodes", fmt::format("{}", graph.nodes())) + row("edges", fmt::format("{}", graph.edges())) +
          row("components", fmt::format("{}", components.count)) +
          row("conductances", fmt::format("{:.4g} to {:.4g} W/K or S", low, high)) +
+         row("in a case", fmt::format("[network] {} = \"{}\", with capacity = ...", network.key,
+                                      std::filesystem::path(path).filename().string())) +
          rows("understood", network.input.notes);
+}
+
+void require_no_options(const FileOptions& options, const std::string& path) {
+  if (!options.given.empty())
+    throw UsageError(fmt::format("info: {} is about a packing file, and {} is a network; leave it out",
+                                 options.given.front(), path));
+}
+
+/// What asks how a packing conducts goes with --conductivity.
+void require_conductivity(const FileOptions& options) {
+  if (options.conductivity) return;
+  const GivenOption asking[] = {{options.density.has_value(), "--density"},
+                                {options.specific_heat.has_value(), "--specific-heat"},
+                                {options.axis != 0, "--axis"},
+                                {!options.neck.empty(), "--neck"}};
+  refuse_given(
+      "info", asking,
+      "is about how a packing conducts, which is told with --conductivity; add that, or leave it out");
 }
 
 }  // namespace
@@ -201,8 +239,11 @@ bool is_no_case(const std::string& path) {
 std::string file_report(const InfoCommand& command) {
   const std::string& path = command.case_file;
   if (recognised_format(path).empty())
-    if (const auto network = read_as_network(path))
+    if (const auto network = read_as_network(path)) {
+      require_no_options(command.file, path);
       return network_report(*network, path, command.common.json);
+    }
+  require_conductivity(command.file);
   const Packing packing = read_packing(path, command.file.reading);
   std::optional<PackingConduction> conduction;
   if (command.file.conductivity)

@@ -20,8 +20,9 @@ struct PackingConduction {
   std::string note;                      ///< why there is none, or what was assumed
   std::optional<double>
       periodic;        ///< W/(m K), under a mean gradient, where the packing is periodic along the axis
-  double time = 0;     ///< s, about what heat needs from one side to the other
-  std::string method;  ///< what `auto` would take over that time, and why
+  bool passes = true;  ///< false where no path of contacts leads from side to side
+  double time = 0;  ///< s, about what heat needs from one side to the other, or through the slowest particle
+  std::string method;  ///< what `auto` would take over that time, and why; empty where no heat passes
 };
 
 /// Settings of a starter case for a file, as the command line has them.

@@ -11,6 +11,7 @@
 #include "case/content_hash.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/options.hpp"
 #include "core/text/text_file.hpp"
 #include "integrators/method_spec.hpp"
 
@@ -87,7 +88,14 @@ void require_distinct_names(const std::vector<std::string>& files) {
   }
 }
 
+void require_distinct_specs(const std::vector<std::string>& specs) {
+  if (const auto twice = repeated_spec(specs); !twice.empty())
+    throw UsageError(fmt::format("{} stands twice among the integrators; leave one of the two out",
+                                 superstep::in_quotes(twice)));
+}
+
 void check_specs(const std::vector<std::string>& specs) {
+  require_distinct_specs(specs);
   for (const auto& spec : specs) (void)MethodSpec(spec);
 }
 

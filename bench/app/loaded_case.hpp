@@ -38,7 +38,9 @@ void check_specs_of(const CaseHead& head);
 /// Throws UsageError when two cases of one command share a name: results go by it.
 void require_distinct_names(const std::vector<std::string>& files);
 
-/// Checks SPECs of the command line. Throws UsageError.
+/// Throws UsageError when two SPECs of the command line say the same.
+void require_distinct_specs(const std::vector<std::string>& specs);
+/// Checks SPECs of the command line, which must differ. Throws UsageError.
 void check_specs(const std::vector<std::string>& specs);
 
 }  // namespace superstep

@@ -27,9 +27,13 @@ bool stderr_is_terminal() {
 }
 
 void print_data(std::string_view text) {
+  static bool nobody_reads = false;  // any more, as where `head` has seen enough
+  if (nobody_reads) return;
   const bool written =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) throw OutputError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+  nobody_reads = !written && errno == EPIPE;
+  if (!written && !nobody_reads)
+    throw OutputError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
 }
 
 void say(std::string_view text) noexcept {

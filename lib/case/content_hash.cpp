@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "case/read_packing_scene.hpp"
+#include "case/inputs/named_file.hpp"
 #include "core/hash.hpp"
 #include "core/text/text_file.hpp"
 

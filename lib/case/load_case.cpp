@@ -6,6 +6,7 @@
 #include "case/case.hpp"
 #include "case/corpus/corpus_tags.hpp"
 #include "core/error.hpp"
+#include "core/text/options.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/read.hpp"
 
@@ -34,6 +35,9 @@ void read_bench(TomlTable& root, CaseHead& head) {
   if (!bench) return;
   if (const auto integrators = bench->find("integrators")) {
     head.bench.integrators = integrators->strings();
+    if (const auto twice = repeated_spec(head.bench.integrators); !twice.empty())
+      integrators->reject(
+          fmt::format("{} stands twice; leave one of the two out", superstep::in_quotes(twice)));
     for (const auto& spec : head.bench.integrators) head.stated_specs.push_back({spec, integrators->where()});
   }
   if (const auto baseline = bench->find("baseline")) {

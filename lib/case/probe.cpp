@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text/ids_in_words.hpp"
+
 namespace superstep {
 namespace {
 
@@ -19,7 +21,7 @@ std::size_t mid_height(const TomlValue& probe, const Scene& scene) {
 Probe by_id(const TomlValue& value, const Scene& scene) {
   const auto& ids = scene.fields.front().graph.id;
   const auto found = std::find(ids.begin(), ids.end(), value.integer());
-  if (found == ids.end()) value.reject("it must be the id of a node");
+  if (found == ids.end()) value.reject("it must be the id of a node; " + ids_in_words(ids));
   const auto node = static_cast<std::int32_t>(found - ids.begin());
   for (const auto& field : scene.fields)
     for (const auto& algebraic : field.algebraic)

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <numbers>
 
+#include "case/inputs/named_file.hpp"
 #include "case/memory/memory_packing.hpp"
 #include "case/packed/packing_options.hpp"
 #include "case/packed/read_contacts.hpp"
@@ -156,11 +156,6 @@ CaseContainer read_container(TomlTable table, double unit) {
 
 }  // namespace
 
-std::string beside_case(const std::string& case_path, const std::string& file) {
-  const std::filesystem::path path(file);
-  return path.is_absolute() ? file : (std::filesystem::path(case_path).parent_path() / path).string();
-}
-
 void read_contact_table(TomlTable& root, const std::string& place, PackingInput& input) {
   auto contact = root.table("contact");
   if (!contact) root.missing("contact", "[contact] is missing; it names the neck law");
@@ -190,16 +185,15 @@ PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
       if (const auto value = packing->find(key))
         value->reject("it says how a packing file is read, and the case has a generator; leave it out");
   input.unit = options.length_unit.value_or(1.0);
-  input.scene.packing = spheres ? packing_of(*spheres, root.file(), options)
-                        : file  ? read_packing(beside_case(root.file(), file->string()), options)
-                                : generate(*packing, *generator, input.unit);
+  input.scene.packing =
+      spheres ? packing_of(*spheres, root.file(), options)
+      : file  ? read_named_file(*file, [&](const auto& path) { return read_packing(path, options); })
+              : generate(*packing, *generator, input.unit);
   if (file) input.unit = input.scene.packing.length_unit;
   input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))
     input.scene.container = read_container(*container, input.unit);
-  const std::string place = spheres ? packing->where()
-                            : file  ? beside_case(root.file(), file->string())
-                                    : generator->where();
+  const std::string place = spheres ? packing->where() : file ? named_path(*file) : generator->where();
   read_contact_table(root, place, input);
   return input;
 }

@@ -31,9 +31,6 @@ struct SphereArrays;
 ///   place  where the particles come from, for errors about them
 void read_contact_table(TomlTable& root, const std::string& place, PackingInput& input);
 
-/// `file` as named in the case at `case_path`: relative names start at the case's folder.
-[[nodiscard]] std::string beside_case(const std::string& case_path, const std::string& file);
-
 /// A table of sizes: distribution = "lognormal", "uniform" or "list", with its numbers.
 ///   unit  m per length of the table
 [[nodiscard]] SizeDistribution read_sizes(TomlTable table, double unit);

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "core/error.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "core/text/suggest.hpp"
 
 namespace superstep {
@@ -41,7 +42,7 @@ std::vector<char> named_layer(const TomlValue& where, const std::string& side, c
                               double thickness) {
   static const std::vector<std::string> sides = {"top", "bottom", "+x", "-x", "+y", "-y", "+z", "-z"};
   if (std::find(sides.begin(), sides.end(), side) == sides.end())
-    where.reject("the side must be one of top, bottom, +x, -x, +y, -y, +z, -z" + suggestion(side, sides));
+    where.reject("the side must be one of top, bottom, +x, -x, +y, -y, +z, -z" + near_miss(side, sides));
   if (side == "top") return layer(packing, '+', 'z', thickness);
   if (side == "bottom") return layer(packing, '-', 'z', thickness);
   return layer(packing, side[0], side[1], thickness);
@@ -60,7 +61,10 @@ std::vector<char> by_ids(const TomlValue& ids, const Packing& packing) {
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
     const bool elsewhere = packing.part_of && id.integer() >= 0 && id.integer() < packing.part_of->particles;
-    if (found == position.end() && !elsewhere) id.reject("it must be the id of a particle in the packing");
+    if (found == position.end() && !elsewhere)
+      id.reject(
+          "it must be the id of a particle in the packing; " +
+          (packing.part_of ? ids_in_words(0, packing.part_of->particles - 1) : ids_in_words(packing.id)));
     if (found != position.end()) out[found->second] = 1;
   }
   return out;

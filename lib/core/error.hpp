@@ -38,6 +38,17 @@ struct InputError : Error {
   explicit InputError(const std::string& message) : Error(ExitCode::input, message) {}
 };
 
+/// A file as a whole is wrong: it is missing, no file, empty or unreadable. Whoever knows who named it says
+/// so.
+class FileError : public InputError {
+ public:
+  FileError(const std::string& path, const std::string& what) : InputError(path + ": " + what), path_(path) {}
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_;
+};
+
 /// A computation could not be carried through.
 struct NumericalError : Error {
   explicit NumericalError(const std::string& message) : Error(ExitCode::numerical, message) {}

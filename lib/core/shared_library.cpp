@@ -31,7 +31,7 @@ LoadedModule::LoadedModule(const std::string& file) {
   places.push_back(code / "../../..");   // lib of a prefix, from lib/python3/dist-packages/superstep
   places.push_back(code / "../../bin");  // of a build folder, from python/superstep
   for (const fs::path& place : places) {
-    const fs::path path = place / file;
+    const fs::path path = (place / file).lexically_normal();
     // For all to see: modules that a package loads by itself, as MPI does, want its symbols.
     if (handle_ = ::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL); handle_) {
       why_not_.clear();

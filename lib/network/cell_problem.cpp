@@ -37,6 +37,55 @@ Pinned pinned_graph(std::size_t nodes, const Contacts& contacts, std::span<const
   return out;
 }
 
+using Edges = std::array<int, 3>;  // of the cell, whole
+
+struct Step {
+  std::size_t to;
+  Edges across;
+};
+
+std::vector<std::vector<Step>> steps_from_each(std::size_t nodes, const Contacts& contacts,
+                                               std::span<const double> conductance) {
+  std::vector<std::vector<Step>> out(nodes);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    if (!(conductance[k] > 0)) continue;
+    const Edges image = contacts.image.empty()
+                            ? Edges{}
+                            : Edges{contacts.image[k][0], contacts.image[k][1], contacts.image[k][2]};
+    out[at(contacts.i[k])].push_back({at(contacts.j[k]), image});
+    out[at(contacts.j[k])].push_back({at(contacts.i[k]), {-image[0], -image[1], -image[2]}});
+  }
+  return out;
+}
+
+/// Axes along which contacts lead from a sphere to an image of itself, and so through any number of cells.
+std::array<bool, 3> leading_axes(const Packing& packing, const Contacts& contacts,
+                                 std::span<const double> conductance) {
+  const auto steps = steps_from_each(packing.size(), contacts, conductance);
+  std::vector<std::optional<Edges>> reached(packing.size());  // cell that a sphere is first met in
+  std::array<bool, 3> leads{};
+  for (std::size_t start = 0; start < packing.size(); ++start) {
+    if (reached[start]) continue;
+    reached[start] = Edges{};
+    for (std::vector<std::size_t> ahead = {start}; !ahead.empty();) {
+      const std::size_t node = ahead.back();
+      ahead.pop_back();
+      for (const auto& [to, across] : steps[node]) {
+        Edges there = *reached[node];
+        for (std::size_t k = 0; k < 3; ++k) there[k] += across[k];
+        if (!reached[to]) {
+          reached[to] = there;
+          ahead.push_back(to);
+        }
+        for (std::size_t k = 0; k < 3; ++k) there[k] -= (*reached[to])[k];
+        const Vec3 way = packing.cell->shift(there);
+        for (std::size_t a = 0; a < 3; ++a) leads[a] = leads[a] || dot(axes[a], way) != 0;
+      }
+    }
+  }
+  return leads;
+}
+
 }  // namespace
 
 ConductivityTensor periodic_conductivity(const Packing& packing, const Contacts& contacts,
@@ -48,6 +97,7 @@ ConductivityTensor periodic_conductivity(const Packing& packing, const Contacts&
   const bool is_trivial = network.size() == 0;
   std::optional<SpdSolver> solver;
   if (!is_trivial) solver.emplace(network);
+  const auto leads = leading_axes(packing, contacts, conductance);
   ConductivityTensor tensor{};
   for (std::size_t b = 0; b < 3; ++b) {
     std::vector<double> load(network.size(), 0.0), theta(packing.size(), 0.0);
@@ -64,7 +114,8 @@ ConductivityTensor periodic_conductivity(const Packing& packing, const Contacts&
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const double rise = dot(axes[b], branches[k]) + theta[at(contacts.j[k])] - theta[at(contacts.i[k])];
       for (std::size_t a = 0; a < 3; ++a)
-        tensor[a][b] += conductance[k] * rise * dot(axes[a], branches[k]) / packing.cell->volume();
+        if (leads[a] && leads[b])  // else 0, and the solver's rounding
+          tensor[a][b] += conductance[k] * rise * dot(axes[a], branches[k]) / packing.cell->volume();
     }
   }
   return tensor;

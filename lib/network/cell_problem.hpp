@@ -14,7 +14,8 @@ using ConductivityTensor = std::array<std::array<double, 3>, 3>;
 
 /// Solves sum_j K_ij (G . d_ij + theta_j - theta_i) = 0 for the part theta that repeats, with d_ij the branch
 /// vectors across the cell's sides, and averages K (G . d + theta_j - theta_i) d over the cell's volume; by a
-/// direct solver. Entries along open edges of the cell have no meaning.
+/// direct solver. Entries of axes along which no contacts lead through the cell are 0; those along open edges
+/// of the cell have no meaning.
 ///   contacts     with their images, those of spheres with their own images included
 ///   conductance  [contacts] W/K or S, >= 0
 /// Returns W/(m K) or S/m. Throws NumericalError.

@@ -62,6 +62,7 @@ std::vector<double> SpdSolver::solve(std::span<const double> b) const {
 }
 
 std::vector<double> steady_state(const Network& network) {
+  if (network.size() == 0) return {};  // CHOLMOD fails on a matrix without rows
   std::vector<double> load = network.source;
   for (const auto& edge : network.ghost_edges)
     load[at(edge.row)] += edge.conductance * network.ghost_value[at(edge.ghost)];

@@ -14,6 +14,11 @@ void append(const Lattice& lattice, std::int64_t id, Packing& packing) {
 
 }  // namespace
 
+std::string broken_rule(const Lattice& lattice) {
+  if (lattice.size() == 1 || lattice.diameter < 2 * lattice.spacing) return {};
+  return "it must be less than twice the spacing, or each sphere holds the centres of its neighbours";
+}
+
 Packing lattice_layers(const Lattice& lattice, std::int64_t first, std::int64_t last) {
   Packing packing;
   packing.in_order = true;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "packing/packing.hpp"
 
@@ -16,6 +17,10 @@ struct Lattice {
   [[nodiscard]] std::int64_t layer() const noexcept { return cells[0] * cells[1]; }
   [[nodiscard]] std::int64_t size() const noexcept { return layer() * cells[2]; }
 };
+
+/// The rule that the diameter breaks; empty = none. Spheres that hold the centres of others are no packing,
+/// and mostly a slip in one of the two lengths.
+[[nodiscard]] std::string broken_rule(const Lattice& lattice);
 
 /// The spheres of layers [first, last). Ids count along x first, then along y; the first sphere of all is
 /// number 0 and stands at the origin. A part of the layers says what it is a part of.

@@ -51,13 +51,8 @@ const PackingFormat& choose_format(const PackingFile& file) {
   refuse(file);
 }
 
-void require_content(const std::string& path, std::string_view content) {
-  if (content.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    throw InputError(fmt::format("{}: is empty; a packing file with content is expected", path));
-}
-
 PackingFile open(const std::string& path, const std::string& content, const PackingOptions& options) {
-  require_content(path, content);
+  require_content(content, path);
   PackingFile file{.path = path,
                    .content = content,
                    .options = options,
@@ -72,14 +67,12 @@ PackingFile open(const std::string& path, const std::string& content, const Pack
 double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_format, Packing& packing) {
   std::optional<StatedUnit> claim;
   const std::string place = file.options.place.empty() ? file.path : file.options.place;
-  const auto take = [&](const std::optional<StatedUnit>& other) {
+  const auto take = [&](const std::optional<StatedUnit>& other, const std::string& who, const char* way_out) {
     if (!other || other->metres == 0) return;
     constexpr double rounding = 1e-12;
     if (claim && std::abs(claim->metres - other->metres) > rounding * claim->metres)
-      throw InputError(fmt::format(
-          "{}: the unit of length is {}, and {} states that its lengths are in {}; give that unit, or "
-          "leave this key out",
-          place, claim->words, file.path, other->words));
+      throw InputError(fmt::format("{}: the unit of length is {}, and {} {}; {}", place, claim->words, who,
+                                   other->words, way_out));
     if (!claim) claim = other;
   };
   if (file.options.length_unit)
@@ -91,12 +84,13 @@ double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_
                                    in_quotes(file.options.units),
                                    suggestion(file.options.units, unit_styles())));
     packing.unit_style = file.options.units;
-    take(StatedUnit{*metres, fmt::format("units {}", file.options.units)});
+    take(StatedUnit{*metres, fmt::format("units {}", file.options.units)}, "beside it stands",
+         "leave one of the two out");
   } else if (by_format) {
     packing.unit_style = by_format->style;
   }
-  take(file.stated);
-  take(by_format);
+  for (const auto& stated : {file.stated, by_format})
+    take(stated, file.path + " states that its lengths are in", "give that unit, or leave this key out");
   const bool dimensionless = (by_format && by_format->metres == 0) || file.options.units == "lj";
   if (claim)
     packing.notes.push_back(fmt::format("lengths are in {}", claim->words));

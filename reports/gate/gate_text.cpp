@@ -29,8 +29,9 @@ std::string gate_markdown(const GateReport& report) {
   if (!report.findings.empty())
     out += "\n| verdict | case | method | what | baseline | now |\n|---|---|---|---|---|---|\n";
   for (const auto& finding : report.findings)
-    out += fmt::format("| {} | {} | `{}` | {} | {} | {} |\n", verdict_name(finding.verdict),
-                       finding.case_name, finding.spec, finding.what, finding.before, finding.now);
+    out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", verdict_name(finding.verdict), finding.case_name,
+                       finding.spec.empty() ? "all" : "`" + finding.spec + "`", finding.what, finding.before,
+                       finding.now);
   for (const auto& note : report.notes) out += fmt::format("\n{}\n", note);
   return out;
 }

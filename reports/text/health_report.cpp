@@ -95,6 +95,8 @@ void write_network(Text& text, const FieldHealth& field) {
 
 void write_spectrum(Text& text, const FieldHealth& field) {
   text.heading(fmt::format("Stiffness and critical steps ({})", field.name));
+  if (!(field.lambda_max > 0))
+    return text.row("lambda_max", "0 1/s: nothing conducts, and nothing limits a step");
   text.row("lambda_max (Lanczos)", "{:.5g} 1/s, residual {:.1e}", field.lambda_max,
            field.lambda_max_residual);
   if (field.lambda_min) {

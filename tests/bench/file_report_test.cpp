@@ -75,7 +75,39 @@ TEST_F(FileReport, SaysWhatAPackingIsAndHowItConducts) {
   // Cut open, between the centres of the layers at both ends: the same conductance, over the same
   // cross-section.
   EXPECT_NEAR(json["conduction"]["effective_conductivity"].get<double>() / along_z, 1, 1e-9);
-  EXPECT_NE(json["conduction"]["recommended"].get<std::string>().find("because it costs"), std::string::npos);
+  const std::string recommended = json["conduction"]["recommended"];
+  EXPECT_NE(recommended.find(" for an error of 0.0001 of the span, because it costs"), std::string::npos)
+      << recommended;
+  write_dump("ff ff ff");
+  ASSERT_EQ(run("info p.dump --conductivity 85"), 0) << err();
+  expect_out("cross-section taken from the bounding box");
+  EXPECT_EQ(out().find("container"), std::string::npos) << "there is no case to state one in: " << out();
+}
+
+/// Two particles at either end of a gap, one pair of them in touch or none.
+TEST_F(FileReport, NothingConductsWhereNoPathOfContactsLeads) {
+  for (const char* rows : {"1,0,0,0.01,0.005\n2,0,0,0.03,0.005\n3,0,0,0.05,0.005\n",
+                           "1,0,0,0.01,0.005\n2,0,0,0.0195,0.005\n3,0,0,0.05,0.005\n4,0,0,0.0595,0.005\n"}) {
+    folder_.write("p.csv", std::string("id,x,y,z,radius\n") + rows);
+    ASSERT_EQ(run("info p.csv --conductivity 85 --axis z"), 0) << err();
+    expect_out("0 W/(m K); no path of contacts from side to side");
+    expect_out("[contact] gap");
+    EXPECT_EQ(out().find("out of memory"), std::string::npos) << out();
+    EXPECT_EQ(out().find("recommended"), std::string::npos) << out();
+    ASSERT_EQ(run("info p.csv --conductivity 85 --axis z --json"), 0) << err();
+    const auto conduction = nlohmann::json::parse(out())["conduction"];
+    EXPECT_EQ(conduction["effective_conductivity"], 0.0);
+    EXPECT_TRUE(conduction["recommended"].is_null() && conduction["transit_time_s"].is_null());
+  }
+}
+
+TEST_F(FileReport, ACaseWithoutContactsIsDescribedInNumbers) {
+  folder_.write("p.csv", "id,x,y,z,radius\n1,0,0,0.01,0.005\n2,0,0,0.03,0.005\n3,0,0,0.05,0.005\n");
+  ASSERT_EQ(run("init p.csv -o case.toml"), 0) << err();
+  ASSERT_EQ(run("info case.toml"), 0) << err();
+  expect_out("0 W/(m K) (no path of contacts");
+  expect_out("nothing conducts");
+  EXPECT_EQ(out().find("nan"), std::string::npos) << out();
 }
 
 TEST_F(FileReport, InitWritesACaseThatRuns) {
@@ -106,10 +138,22 @@ TEST_F(FileReport, NetworksAndOtherFiles) {
   folder_.write("e.csv", "i,j,conductance\n1,2,3\n2,3,4\n");
   ASSERT_EQ(run("info e.csv"), 0) << err();
   expect_out("edge list");
+  folder_.write("e.txt", "1 2 3.0\n2 3 4.0\n");
+  ASSERT_EQ(run("info e.txt"), 0) << err();
+  expect_out("edge list without a header");
+  expect_out("[network] edges = \"e.txt\", with capacity");
   folder_.write("prose.txt", "these are not spheres\n");
   EXPECT_EQ(run("info prose.txt"), 3);
   EXPECT_EQ(run("info nothing.dump"), 3);
   EXPECT_EQ(run("info K.mtx --conductivity -1"), 2);
+}
+
+TEST_F(FileReport, AReaderThatHasSeenEnoughIsNoFault) {
+  const std::string command = fmt::format("'{}' list --keys 2>'{}'; echo $? >'{}'", SUPERSTEP_PROGRAM,
+                                          folder_.file("stderr.txt"), folder_.file("code.txt"));
+  pclose(popen(command.c_str(), "r"));  // NOLINT(cert-env33-c): nobody reads
+  EXPECT_EQ(err(), "");
+  EXPECT_EQ(folder_.read("code.txt"), "0\n");
 }
 
 TEST_F(FileReport, TheSystemOfACaseReadsBack) {

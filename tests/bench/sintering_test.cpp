@@ -89,7 +89,9 @@ TEST(RunSintering, RestartFromACheckpointGivesTheSameBytes) {
   EXPECT_EQ(folder.read("rest/history.csv"), folder.read("whole/history.csv"));
 
   rest.restart = folder.file("whole/checkpoint.bin");
-  EXPECT_THROW((void)execute(rest), InputError) << "there is nothing left to run";
+  const auto message = test::message_of<InputError>([&] { (void)execute(rest); });
+  EXPECT_NE(message.find("t_end = 0.04 s: nothing is left to run; raise t_end"), std::string::npos)
+      << message;
 }
 
 TEST(RunSintering, ThermalIntegratorsGetAFolderEach) {

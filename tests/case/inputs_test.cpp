@@ -213,8 +213,32 @@ TEST_F(Inputs, MatricesEdgeListsAndNodesWithoutCapacity) {
       load("t_end = 50\n[network]\nedges = \"e.txt\"\ncapacity = \"c.txt\"\nfixed = \"f.csv\"\n");
   EXPECT_NEAR(values_at_end(list)[2], 4, 1e-6);
   EXPECT_FALSE(list.warnings.empty()) << "parallel edges are summed and said";
-  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\n", "edges alone need a capacity");
+  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\n", "'capacity' is missing, and edges have no");
+  expect_refused("t_end = 1\n[network]\nmatrix = \"K.mtx\"\n", "'capacity' is missing, and a matrix has no");
+  folder_.write("net.csv", "throat.conns[0],throat.conns[1],throat.g\n0,1,2.0\n");
+  expect_refused("t_end = 1\n[network]\nopenpnm = \"net.csv\"\nconductance = \"throat.g\"\n",
+                 "'capacity' is missing, and throats have no");
   expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
+}
+
+TEST_F(Inputs, AnUnknownIdIsAnsweredWithThoseThatThereAre) {
+  write_row();
+  folder_.write("e.txt", "3 7 2\n7 12 2\n");
+  const std::string network = "t_end = 1\n[network]\nedges = \"e.txt\"\ncapacity = 1\n";
+  expect_refused(row_case("fixed = [ { where = { ids = [0] }, value = 1 } ]"), "ids run from 1 to 4");
+  expect_refused("probe = 9\n" + row_case(""), "ids run from 1 to 4");
+  expect_refused(network + "fixed = [ { ids = [1], value = 1 } ]\n", "ids are 3, 7, 12");
+  folder_.write("f.csv", "id,value\n1,0\n");
+  expect_refused(network + "fixed = \"f.csv\"\n", "ids are 3, 7, 12");
+}
+
+TEST_F(Inputs, ANumberWithoutUnitIsFollowedByNoBlank) {
+  std::string csv = "id,x,y,z,r\n";
+  for (int k = 0; k < 125; ++k) csv += std::to_string(k) + "," + std::to_string(k) + ",0,0,0.01\n";
+  folder_.write("row.csv", csv);
+  std::string all;
+  for (const auto& one : load(row_case("")).warnings) all += one + "\n";
+  EXPECT_NE(all.find("smallest mean coordination is 0; usual values"), std::string::npos) << all;
 }
 
 TEST_F(Inputs, SurroundingsOfALaplacianDrawTheNetworkToTheirValue) {

@@ -170,6 +170,22 @@ TEST(PeriodicConductivity, EqualsThatOfTwoByTwoByTwoCopies) {
   }
 }
 
+TEST(PeriodicConductivity, IsZeroAlongAxesThatNoContactsLeadThrough) {
+  // A ring of three spheres and a column that touches its own image above: z alone leads on.
+  Packing packing;
+  packing.centre = {{1, 1, 1}, {1.9, 1, 1.3}, {1.4, 1.8, 1}, {6, 6, 1}, {6, 6, 2.9}, {6.3, 6, 4.6}};
+  packing.id = {0, 1, 2, 3, 4, 5};
+  packing.radius = {0.5, 0.5, 0.5, 1, 1, 1.2};
+  packing.material.assign(6, 0);
+  packing.cell = box_cell({0, 0, 0}, {9, 9, 6});
+  packing.cell->periodic = {true, true, true};
+  const auto tensor = conductivity_of(packing);
+  EXPECT_GT(tensor[2][2], 0);
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b)
+      if (a != 2 || b != 2) EXPECT_EQ(tensor[a][b], 0) << a << b;
+}
+
 TEST(PeriodicConductivity, OfACubicLatticeIsConductanceOverSpacing) {
   // One sphere in a unit cell: a contact with its own image along each axis, of conductance K, gives K / 1 m.
   Packing one;

@@ -49,5 +49,26 @@ TEST(Spec, ExclusiveKeys) {
   EXPECT_THROW(options.at_most_one_of(both), UsageError);
 }
 
+TEST(Specs, WordsAreListedOnce) {
+  const std::vector<OptionKey> n = {
+      {.name = "n", .type = OptionKey::Type::integer, .min = 1, .words = {"auto"}}};
+  const auto message = test::message_of<UsageError>([&] { Options(parse_spec("sts:n=0"), n); });
+  EXPECT_NE(message.find("n >= 1 or auto"), std::string::npos) << message;
+  EXPECT_EQ(message.find("valid are"), std::string::npos) << message;
+  EXPECT_NE(complaint("sts:order=leia").find("did you mean 'leja'"), std::string::npos);
+}
+
+TEST(Specs, SeveralInOneAreToldApart) {
+  const auto message = test::message_of<UsageError>([] { (void)parse_spec("rkc,rkl"); });
+  EXPECT_NE(message.find("several integrators are given apart"), std::string::npos) << message;
+}
+
+TEST(Specs, ThatSayTheSameAreFoundInAnyOrderOfSettings) {
+  using List = std::vector<std::string>;
+  EXPECT_EQ(repeated_spec(List{"rkc", "cvode", "rkc"}), "rkc");
+  EXPECT_EQ(repeated_spec(List{"sts:n=5,nu=0.1", "sts:nu=0.1,n=5"}), "sts:nu=0.1,n=5");
+  EXPECT_EQ(repeated_spec(List{"rkc", "rkc:rtol=1e-3", "rkc:rtol=1e-4", "rkl"}), "");
+}
+
 }  // namespace
 }  // namespace superstep

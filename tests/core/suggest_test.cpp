@@ -28,7 +28,15 @@ TEST(NearestName, FindsTheNameInALongerOrAShorterOne) {
   EXPECT_EQ(nearest_name("hertz", laws), "hertzian-x") << "the closest of several";
 }
 
+TEST(NearestName, CapitalsAreNoDifference) {
+  const std::vector<std::string> methods = {"rkc", "rkl", "bdf"};
+  EXPECT_EQ(nearest_name("RKC", methods), "rkc");
+  EXPECT_EQ(nearest_name("I", std::vector<std::string>{"j", "i"}), "i");
+}
+
 TEST(NearestName, DoesNotGuessWildly) {
+  const std::vector<std::string> columns = {"i", "j", "conductance"};
+  EXPECT_EQ(nearest_name("g", columns), "") << "any letter is one letter away from any other";
   EXPECT_EQ(nearest_name("xyz", commands), "");
   EXPECT_EQ(nearest_name("hcneb", commands), "");
   EXPECT_EQ(nearest_name(std::string(1000, 'b'), commands), "");

@@ -122,6 +122,31 @@ TEST(ParticleFile, VelocitiesAreInTheUnitsOfTheirStyle) {
   EXPECT_NE(message.find("velocity_unit"), std::string::npos) << message;
 }
 
+/// In a row: 1 and 2 overlap by 0.1 of the sum of their radii, 2 and 3 by a third.
+TEST(ParticleFile, TheDeepestOverlapIsSaidWithTheLimitThatAllowsIt) {
+  const TemporaryFolder folder;
+  const std::string row = "id,x,y,z,r\n1,0,0,0,0.1\n2,0.18,0,0,0.1\n3,0.38,0,0,0.2\n";
+  const auto complaint = [&](const std::string& text, const std::string& more = "") {
+    folder.write("p.csv", text);
+    const auto path = folder.write("case.toml", case_text("file = \"p.csv\"\n" + more));
+    return message_of<InputError>([&] { (void)load_press(path); });
+  };
+  for (const auto& [more, limit] : {std::pair{"", "without max_overlap they may touch"},
+                                    std::pair{"max_overlap = 0.2\n", "max_overlap is 0.2"}}) {
+    const std::string message = complaint(row, more);
+    EXPECT_NE(message.find("particle 2 at (0.18, 0, 0) m and particle 3"), std::string::npos) << message;
+    EXPECT_NE(message.find("overlap by 0.3333 of the sum"), std::string::npos) << message;
+    EXPECT_NE(message.find(limit), std::string::npos) << message;
+    EXPECT_NE(message.find("max_overlap = 0.3334"), std::string::npos) << message;
+  }
+  EXPECT_EQ(complaint(row, "max_overlap = 0.3334\n"), "") << "what the message names is enough";
+  const std::string wall = complaint(row + "4,0.95,0,0,0.1\n", "max_overlap = 0.4\n");
+  EXPECT_NE(wall.find("particle 4 at (0.95, 0, 0) m overlaps the +x wall by 0.5"), std::string::npos) << wall;
+  const std::string same = complaint(row + "4,0.38,0,0,0.2\n");
+  EXPECT_NE(same.find("move them apart"), std::string::npos) << same;
+  EXPECT_EQ(same.find("allow it"), std::string::npos) << "max_overlap is below 1: " << same;
+}
+
 TEST(ParticleFile, BondsBesideItAreTakenUp) {
   const TemporaryFolder folder;
   folder.write("p.csv", "id,x,y,z,radius\n7,0.1,0,0,0.06\n3,0,0,0,0.06\n");

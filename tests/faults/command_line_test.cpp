@@ -157,6 +157,94 @@ TEST_F(CommandLine, EveryKeyOfEveryMethodRefusesWhatItIsNot) {
   EXPECT_GT(count_, 300);
 }
 
+TEST_F(CommandLine, OptionsThatWouldBeIgnoredAreRefused) {
+  const std::string press = SUPERSTEP_SOURCE_DIR "/cases/sintering_two_particles.toml";
+  const auto packing = folder_.write("p.csv", "id,x,y,z,radius\n1,0,0,0.01,0.0102\n2,0,0,0.03,0.0102\n");
+  const auto network = folder_.write("e.csv", "i,j,conductance\n1,2,3\n2,3,4\n");
+  before_ = test::files_below(folder_.file("."));
+  for (const Line& option : {Line{"--verify"}, {"--max-work", "9"}}) {
+    Line line = {"run", press};
+    line.insert(line.end(), option.begin(), option.end());
+    refuse(line, "run: " + option[0] + " is for networks that stay as they are");
+  }
+  refuse({"bench", press, "--max-work", "9"}, "bench: --max-work is for networks");
+  refuse({"info", press, "--matrix", folder_.file("system")}, "info: --matrix is for networks");
+  for (const char* option : {"--conductivity", "--density", "--specific-heat", "--axis", "--neck",
+                             "--length-unit", "--units", "--periodic"}) {
+    const std::string name = option, value = name == "--axis"          ? "z"
+                                             : name == "--neck"        ? "hertz"
+                                             : name == "--length-unit" ? "mm"
+                                             : name == "--units"       ? "si"
+                                             : name == "--periodic"    ? "xy"
+                                                                       : "85";
+    for (const auto& file : {case_, press, network})
+      refuse({"info", file, name, value}, name + " is about a packing file");
+  }
+  for (const Line& option :
+       {Line{"--density", "5910"}, {"--specific-heat", "1"}, {"--axis", "z"}, {"--neck", "hertz"}})
+    refuse({"info", packing, option[0], option[1]}, "with --conductivity");
+  for (const Line& option : {Line{"--integrator", "rkc"},
+                             {"--repetitions", "2"},
+                             {"--reference", "cvode"},
+                             {"--time-limit", "1"},
+                             {"--max-work", "9"},
+                             {"--no-cache"},
+                             {"--instructions"}}) {
+    Line line = {"bench", press, "--press-table"};
+    line.insert(line.end(), option.begin(), option.end());
+    refuse(line, option[0] + " does not go with --press-table");
+  }
+  for (const char* option : {"--instructions", "--press-table", "--json"}) {
+    refuse({"bench", case_, "--work-precision", option}, "does not go with --work-precision");
+    refuse({"bench", "--corpus", "quick", option}, "does not go with --corpus");
+  }
+  for (const Line& option :
+       {Line{"--seed", "2"}, {"--container", "box"}, {"--height", "1"}, {"--sizes", "list:1"}})
+    refuse({"pack", "--lattice", "8", "--spacing", "1", "--diameter", "1", "-o", folder_.file("l.csv"),
+            option[0], option[1]},
+           option[0] + " belongs to a container");
+  refuse({"init", packing, "-o", folder_.file("c.toml"), "--json"}, "--json");
+  refuse({"completion", "bash", "--json"}, "--json");
+}
+
+TEST_F(CommandLine, AnOptionWithoutItsValueSaysWhatThatIs) {
+  refuse({"run", case_, "--tolerance"}, "--tolerance needs a value: --tolerance X (error allowed");
+  refuse({"run", case_, "--out", "--quiet"}, "--out needs a value: --out DIR (folder for");
+  refuse({"run", case_, "--tolerance", "1e-3", "--tolerance", "1e-4"}, "--tolerance stands more than once");
+}
+
+TEST_F(CommandLine, ACaseNeedsNoOtherToStartFrom) {
+  refuse({"init", case_, "-o", folder_.file("new.toml")}, "is a case already");
+}
+
+TEST_F(CommandLine, UnitsThatTheLineStatesTwiceAreItsOwnFault) {
+  const auto packing = folder_.write("p.csv", "id,x,y,z,radius\n1,0,0,0.01,0.0102\n2,0,0,0.03,0.0102\n");
+  before_ = test::files_below(folder_.file("."));
+  refuse({"info", packing, "--units", "si", "--length-unit", "mm"},
+         "the unit of length is mm, and beside it stands units si; leave one of the two out");
+}
+
+TEST_F(CommandLine, ALatticeOfSpheresThatHoldOneAnotherIsRefused) {
+  refuse({"pack", "--lattice", "100", "--spacing", "1", "--diameter", "3", "-o", folder_.file("l.csv")},
+         "--diameter '3' is not valid; it must be less than twice the spacing");
+  const auto path = folder_.write("l.toml",
+                                  "t_end = 1.0\n[packing]\ngenerator = \"lattice\"\ncells = [2, 2, "
+                                  "2]\nspacing = 1.0\ndiameter = 3.0\n[thermal]\n");
+  before_ = test::files_below(folder_.file("."));
+  refuse({"info", path}, "l.toml:6: key 'packing.diameter'");
+}
+
+TEST_F(CommandLine, AMethodIsNamedOnce) {
+  const auto twice =
+      test::write_rod(folder_, test::Rod{.nodes = 5, .bench = "integrators = [\"rkc\", \"rkc\"]\n"}, "twice");
+  before_ = test::files_below(folder_.file("."));
+  for (const char* command : {"run", "bench"})
+    refuse({command, case_, "--integrator", "sts:n=5,nu=0.1", "sts:nu=0.1,n=5"},
+           "'sts:nu=0.1,n=5' stands twice");
+  refuse({"bench", case_, "--work-precision", "--integrator", "rkc", "rkc"}, "'rkc' stands twice");
+  refuse({"bench", twice}, "key 'bench.integrators'");
+}
+
 TEST_F(CommandLine, CommandsRefuseWhatTheyDoNotTake) {
   refuse({}, "command");
   refuse({"zzz"}, "zzz");

@@ -156,6 +156,11 @@ TEST(SpdSolver, SteadyChainIsLinear) {
                 1e-12);
 }
 
+TEST(SpdSolver, NodesThatAreAllHeldLeaveNothingToSolve) {
+  const Graph graph = chain(2, 0.0, 10.0);
+  EXPECT_TRUE(steady_state(build_network(graph, plain_roles(graph))).empty());
+}
+
 TEST(SpdSolver, RefusesAFloatingCluster) {
   Graph graph = chain(6, 0.0);
   graph.conductance[3] = 0;

@@ -44,5 +44,14 @@ TEST(Lattice, IdsCountAlongXFirst) {
   EXPECT_EQ(norm(whole.centre[12] - Vec3{0, 0, 1e-3}), 0.0);
 }
 
+TEST(Lattice, SpheresThatHoldTheCentresOfOthersBreakARule) {
+  Lattice one = lattice;
+  EXPECT_EQ(broken_rule(one), "");
+  one.diameter = 2 * one.spacing;
+  EXPECT_NE(broken_rule(one).find("less than twice the spacing"), std::string::npos);
+  one.cells = {1, 1, 1};
+  EXPECT_EQ(broken_rule(one), "") << "there are no others";
+}
+
 }  // namespace
 }  // namespace superstep

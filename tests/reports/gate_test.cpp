@@ -140,6 +140,14 @@ TEST(Gate, CannotTellFromCountsOfAnotherBuildOrNone) {
   EXPECT_EQ(gate(none, counted(1, 1)).verdict, GateVerdict::inconclusive);
 }
 
+TEST(Gate, AFindingAboutAWholeCaseNamesNoMethod) {
+  auto now = measured({}, 2);
+  now.cases[0].name = "another";
+  const auto text = gate_markdown(gate(now, measured({}, 1)));
+  EXPECT_NE(text.find("| all | case |"), std::string::npos) << text;
+  EXPECT_EQ(text.find("``"), std::string::npos) << text;
+}
+
 TEST(Gate, FailsWhenOneMethodIsATenthSlower) {
   const auto report = gate(measured({.rkc = 1.10}, 2), measured({}, 1));
   EXPECT_EQ(report.verdict, GateVerdict::regressed);

@@ -145,6 +145,17 @@ std::vector<std::string> with_lists_spelt_out(const std::vector<std::string>& li
   return out;
 }
 
+/// About an option that stands without its value, or too often.
+std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& error) {
+  const std::string what = error.what(), name = what.substr(0, what.find(':'));
+  const auto chosen = app.get_subcommands();
+  const auto* option = (chosen.empty() ? &app : chosen.front())->get_option_no_throw(name);
+  if (!option) return what;
+  if (!what.ends_with("missing")) return fmt::format("{} stands more than once; give it once", name);
+  return fmt::format("{0} needs a value: {0} {1} ({2})", name, option->get_type_name(),
+                     option->get_description());
+}
+
 }  // namespace
 
 Arguments read_arguments(const std::vector<std::string>& written) {
@@ -164,6 +175,8 @@ Arguments read_arguments(const std::vector<std::string>& written) {
   } catch (const CLI::CallForHelp&) {
     values.text = app.help();
     return values;
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw UsageError(mismatch_text(app, error));
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }

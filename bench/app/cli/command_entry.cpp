@@ -67,6 +67,21 @@ std::size_t parse_block_rows(const std::string& text) {
 
 }  // namespace
 
+void refuse_given(const std::string& command, std::span<const GivenOption> options,
+                  const std::string& reason) {
+  for (const auto& [given, name] : options)
+    if (given) throw UsageError(fmt::format("{}: {} {}", command, name, reason));
+}
+
+void refuse_for_moving(const std::string& command, std::span<const GivenOption> options,
+                       const std::string& case_file) {
+  refuse_given(
+      command, options,
+      fmt::format("is for networks that stay as they are, and the particles of {} move ([dynamics]); "
+                  "leave it out",
+                  case_file));
+}
+
 CommonOptions common_options(const Arguments& values) {
   return {.threads = static_cast<int>(parse_integer_option("--threads", values.threads, 1, 1024)),
           .block_rows = parse_block_rows(values.block_rows),

@@ -26,8 +26,8 @@ struct Arguments {
   bool no_cache = false, work_precision = false, instructions = false, press_table = false, quick = false,
        report = false, vtk = false, verify = false, markdown = false, keys = false;
 
-  std::string container = "cylinder", lattice, spacing, diameter, width, depth, height, count,
-              relative_density, sizes, seed = "1", length_unit = "m", file;
+  std::string container, lattice, spacing, diameter, width, depth, height, count, relative_density, sizes,
+      seed, length_unit = "m", file;
 
   std::string conductivity, density, specific_heat, axis, neck, periodic, units, file_unit, matrix;
 };
@@ -68,6 +68,18 @@ struct CommandEntry {
 /// The options of commands that read a packing without a case, and what they say. Throws UsageError.
 [[nodiscard]] std::vector<OptionEntry> file_options();
 [[nodiscard]] FileOptions file_options_of(const Arguments& values);
+
+/// An option and whether it stands on the line.
+struct GivenOption {
+  bool given;
+  std::string name;
+};
+/// Throws UsageError for the first that is given: "bench: --json REASON".
+void refuse_given(const std::string& command, std::span<const GivenOption> options,
+                  const std::string& reason);
+/// The same for what needs a network that stays as it is, where the particles of a case file move.
+void refuse_for_moving(const std::string& command, std::span<const GivenOption> options,
+                       const std::string& case_file);
 
 /// What every command takes. Throws UsageError.
 [[nodiscard]] CommonOptions common_options(const Arguments& values);

@@ -46,6 +46,9 @@ std::vector<OptionEntry> file_options() {
 
 FileOptions file_options_of(const Arguments& values) {
   FileOptions options;
+  for (const auto& option : file_options())
+    if (!(values.*std::get<std::string Arguments::*>(option.target)).empty())
+      options.given.push_back(option.name);
   options.conductivity = positive("--conductivity", values.conductivity);
   options.density = positive("--density", values.density);
   options.specific_heat = positive("--specific-heat", values.specific_heat);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/press/export_packing.hpp"
 #include "bench/app/press/press_commands.hpp"
 #include "bench/app/press/sintering_files.hpp"
@@ -55,8 +56,10 @@ void begin(const Press& one, const RunCommand& command, Motion& motion) {
                                  command.restart, one.file));
   dynamics::require_same_model(stored, one.model, command.restart, one.file);
   if (!(stored.state.time < one.t_end))
-    throw InputError(fmt::format("{}: its time {} s is not before t_end = {} s of {}; raise t_end",
-                                 command.restart, stored.state.time, one.t_end, one.file));
+    throw InputError(
+        fmt::format("{}: it is at {} s, and {} ends at t_end = {} s: nothing is left to run; raise "
+                    "t_end to go further",
+                    command.restart, stored.state.time, one.file, one.t_end));
   motion.resume(std::move(stored.state), stored.next_step, std::move(stored.history));
 }
 
@@ -231,15 +234,14 @@ int run_into(const Press& one, const RunCommand& command, double cpu_setup, cons
 }  // namespace
 
 void check_specs_of_press(const std::vector<std::string>& specs) {
+  require_distinct_specs(specs);
   for (const auto& spec : specs)
     if (spec != "staggered") (void)MethodSpec(spec);
 }
 
 int run_press(const RunCommand& command, const Press& press, double cpu_setup) {
-  if (command.limits.sweeps > 0)
-    throw UsageError(
-        "run: --max-work counts sweeps over a network that stays as it is; particles that move "
-        "have none, give --time-limit");
+  const GivenOption still[] = {{command.limits.sweeps > 0, "--max-work"}, {command.verify, "--verify"}};
+  refuse_for_moving("run", still, press.file);
   if (!command.export_packing.empty() && command.integrators.size() > 1)
     throw UsageError("run: --export-packing takes one run; give one --integrator");
   catch_interrupts();

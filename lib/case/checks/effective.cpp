@@ -100,6 +100,21 @@ std::vector<double> steady_values(const Graph& graph) {
   return value;
 }
 
+/// True where contacts lead from a node held at `low` to one held at `high`.
+bool are_joined(const Graph& graph, double low, double high) {
+  const Components components = connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
+  std::vector<char> has_low(components.count, 0), has_high(components.count, 0);
+  for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    if (!graph.is_fixed[node]) continue;
+    const auto component = static_cast<std::size_t>(components.of_node[node]);
+    if (graph.fixed_value[node] == low) has_low[component] = 1;
+    if (graph.fixed_value[node] == high) has_high[component] = 1;
+  }
+  for (std::size_t k = 0; k < components.count; ++k)
+    if (has_low[k] != 0 && has_high[k] != 0) return true;
+  return false;
+}
+
 std::set<double> fixed_levels(const Graph& graph) {
   std::set<double> levels;
   for (std::size_t node = 0; node < graph.nodes(); ++node)
@@ -116,9 +131,10 @@ std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field) {
   const double low = *levels.begin(), high = *levels.rbegin();
   try {
     const auto value = steady_values(graph);
+    const bool joined = are_joined(graph, low, high);
     ElectrodeFacts facts{.voltage = high - low,
-                         .current_in = flow_from(graph, value, high),
-                         .current_out = -flow_from(graph, value, low)};
+                         .current_in = joined ? flow_from(graph, value, high) : 0,
+                         .current_out = joined ? -flow_from(graph, value, low) : 0};
     facts.resistance =
         facts.current_in > 0 ? facts.voltage / facts.current_in : std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < graph.edges(); ++k) {
@@ -143,6 +159,13 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
   if (!out.note.empty()) return out;
 
   const double low = *levels.begin(), high = *levels.rbegin();
+  if (!are_joined(graph, low, high)) {
+    out.value = 0;
+    out.note =
+        "no path of contacts from side to side; is length_unit right, or should [contact] gap join particles "
+        "that nearly touch?";
+    return out;
+  }
   const auto& packing = scene.packed->packing;
   const auto [gap, axis] = facing_gap(packing, graph, high);
   if (!(gap > 0)) {
@@ -160,9 +183,10 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
   out.length = gap;
   out.area = stated ? scene.packed->container->cross_section : box_area(packing, axis);
   const bool walled = !scene.packed->packing.cell || !scene.packed->packing.cell->is_periodic();
-  out.note = stated || !walled
-                 ? ""
-                 : "cross-section taken from the bounding box; state [packing] container for a cylinder";
+  if (!stated && walled) {
+    out.note = "cross-section taken from the bounding box";
+    out.advice = "state [packing] container for a cylinder";
+  }
   out.value = out.flow * gap / (out.area * (high - low));
   return out;
 }

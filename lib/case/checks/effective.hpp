@@ -14,6 +14,10 @@ struct EffectiveConductivity {
   double length = 0;            ///< m, between the facing innermost centres of the two layers
   double area = 0;              ///< m^2
   std::string note;             ///< why there is no value, or what was assumed
+  std::string advice;           ///< to the author of the case, about what was assumed
+
+  /// Both.
+  [[nodiscard]] std::string note_and_advice() const { return advice.empty() ? note : note + "; " + advice; }
 };
 
 /// What a steady current between two electrodes does, at the conductivities' reference values.
@@ -28,7 +32,8 @@ struct ElectrodeFacts {
 /// for other fields. Throws nothing: a network that cannot be solved has no facts.
 [[nodiscard]] std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field);
 
-/// k = q L / (A dT) from a steady solve. Needs a packing and exactly two distinct fixed values.
+/// k = q L / (A dT) from a steady solve; 0 where no path of contacts joins the two layers. Needs a packing
+/// and exactly two distinct fixed values.
 [[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field);
 
 }  // namespace superstep

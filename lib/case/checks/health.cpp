@@ -140,7 +140,7 @@ FieldHealth assess_field(const Scene& scene, const FieldScene& field) {
   if (scene.packed) health.lumping_median = lumping_ratio(scene.packed->packing, field);
   const auto effective = effective_conductivity(scene, field);
   health.effective_conductivity = effective.value;
-  health.effective_note = effective.note;
+  health.effective_note = effective.note_and_advice();
   health.electrodes = electrode_facts(field);
   if (!field.steady) assess_stiffness(field, health);
   return health;

@@ -10,12 +10,12 @@ namespace {
 
 void warn_outside(std::vector<std::string>& out, const char* what, double smallest, double largest,
                   double low, double high, const char* unit) {
-  if (smallest < low)
-    out.push_back(fmt::format("smallest {} is {:.4g} {}; usual values lie between {:g} and {:g}", what,
-                              smallest, unit, low, high));
-  if (largest > high)
-    out.push_back(fmt::format("largest {} is {:.4g} {}; usual values lie between {:g} and {:g}", what,
-                              largest, unit, low, high));
+  const auto say = [&](const char* which, double value) {
+    out.push_back(fmt::format("{} {} is {:.4g}{}{}; usual values lie between {:g} and {:g}", which, what,
+                              value, *unit ? " " : "", unit, low, high));
+  };
+  if (smallest < low) say("smallest", smallest);
+  if (largest > high) say("largest", largest);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "case/inputs/named_column.hpp"
-#include "case/read_packing_scene.hpp"
+#include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
 
@@ -42,9 +42,9 @@ TimeTable read_lists(TomlTable& table) {
   return out;
 }
 
-TimeTable read_profile(TomlTable& table, const std::string& name) {
-  const std::string path = beside_case(table.file(), name);
-  const std::string text = read_text_file(path);
+TimeTable read_profile(TomlTable& table, const TomlValue& file) {
+  const std::string path = named_path(file),
+                    text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
   DelimitedTable rows(path, text);
   const auto column = [&](const char* key, std::size_t fallback) {
     const auto stated = table.find(key);
@@ -151,7 +151,7 @@ Amount read_amount(const TomlValue& amount, double t_end, Graph& graph) {
   const auto file = table.find("file");
   if (file && (table.find("times") || table.find("values")))
     file->reject("give either a file, or times and values");
-  TimeTable out = file ? read_profile(table, file->string()) : read_lists(table);
+  TimeTable out = file ? read_profile(table, *file) : read_lists(table);
   const auto scale = table.find("scale"), period = table.find("period"), outside = table.find("outside");
   if (scale)
     for (double& value : out.value) value *= scale->number();

@@ -9,8 +9,9 @@
 #include <unordered_map>
 
 #include "case/inputs/named_column.hpp"
-#include "case/read_packing_scene.hpp"
+#include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "core/text/number.hpp"
 
 namespace superstep {
@@ -32,10 +33,10 @@ std::vector<double> of_packing(const TomlValue& column, const Packing& packing) 
   return attribute->value;
 }
 
-std::vector<double> of_file(const TomlTable& table, const TomlValue& file, const TomlValue& column,
+std::vector<double> of_file(const TomlValue& file, const TomlValue& column,
                             std::span<const std::int64_t> id) {
-  const std::string path = beside_case(table.file(), file.string());
-  const std::string text = read_text_file(path);
+  const std::string path = named_path(file),
+                    text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
   DelimitedTable rows(path, text);
   const std::size_t id_column = column_named(rows, "id", path),
                     value_column = column_named(rows, column.string(), column.where());
@@ -48,8 +49,8 @@ std::vector<double> of_file(const TomlTable& table, const TomlValue& file, const
     if (found == position.end())
       throw InputError(fmt::format(
           "{}: id is {}, which is nobody of this case; the file must hold its particles or nodes, "
-          "each once",
-          rows.where(), in_quotes(rows.cells()[id_column])));
+          "each once: {}",
+          rows.where(), in_quotes(rows.cells()[id_column]), ids_in_words(id)));
     if (!std::isnan(values[found->second]))
       throw InputError(fmt::format("{}: id {} stands twice; keep one", rows.where(), found->first));
     values[found->second] = number_in(rows, value_column);
@@ -72,7 +73,7 @@ std::vector<double> read_initial(TomlTable& table, std::span<const std::int64_t>
   const auto column = source.require("column", "it names the column of the packing, or of a file beside it");
   const auto file = source.find("file");
   source.finish();
-  if (file) return of_file(table, *file, column, id);
+  if (file) return of_file(*file, column, id);
   if (packing == nullptr) column.reject("there is no packing to take it from; name a file beside it");
   return of_packing(column, *packing);
 }

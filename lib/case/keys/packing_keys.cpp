@@ -55,9 +55,10 @@ void list_common_keys(KeyList& keys) {
   keys.text("openpnm", "or a pore network in CSV or VTP");
   keys.text("conductance", "openpnm: the column of throats that conducts");
   keys.number("capacity", no_less_than_zero, "J/K or F",
-              "without nodes: of all, or a file, or openpnm's column")
+              "without nodes needed: of all, or a file, or openpnm's column")
       .types = CaseKey::number | CaseKey::text;
-  keys.initial("K or V", "without nodes: of all, the file of a vector, or a table as below", CaseKey::text);
+  keys.initial("K or V", "without nodes: of all, the file of a vector, or a table as below; left out = 0",
+               CaseKey::text);
   keys.list("fixed", CaseKey::table, "without nodes: a file of ids and values, or a list").types =
       CaseKey::array | CaseKey::text;
   keys.in("network.fixed[]", CaseKey::network);

@@ -6,6 +6,7 @@
 
 #include "case/probe.hpp"
 #include "core/index.hpp"
+#include "core/text/ids_in_words.hpp"
 
 namespace superstep {
 namespace {
@@ -57,7 +58,8 @@ void read_layer_probes(LayeredNodes& nodes, Scene& scene) {
   FieldScene& field = scene.fields.front();
   const auto by_id = [&](const TomlValue& value) {
     const std::int64_t node = value.integer();
-    if (node < 0 || node >= nodes.lattice().size()) value.reject("it must be the id of a node");
+    if (node < 0 || node >= nodes.lattice().size())
+      value.reject("it must be the id of a node; " + ids_in_words(0, nodes.lattice().size() - 1));
     return add(std::to_string(node), node, nodes, field);
   };
   const auto at_mid_height = [&](const TomlValue&) {

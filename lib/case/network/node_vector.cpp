@@ -6,6 +6,7 @@
 
 #include "case/inputs/named_column.hpp"
 #include "core/error.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "core/text/number.hpp"
 #include "network/files/matrix_market.hpp"
 
@@ -47,8 +48,8 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
     const auto number = parse_whole_number(table.cells()[0]);
     const auto found = number ? position.find(*number) : position.end();
     if (found == position.end())
-      throw InputError(fmt::format("{}: id is {}; it must be a node of the network", table.where(),
-                                   in_quotes(table.cells()[0])));
+      throw InputError(fmt::format("{}: id is {}; it must be a node of the network: {}", table.where(),
+                                   in_quotes(table.cells()[0]), ids_in_words(id)));
     if (out.given[found->second])
       throw InputError(fmt::format("{}: id {} stands twice; keep one", table.where(), found->first));
     out.value[found->second] = number_in(table, 1);

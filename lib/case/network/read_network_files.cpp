@@ -7,12 +7,13 @@
 #include <unordered_map>
 #include <utility>
 
+#include "case/inputs/named_file.hpp"
 #include "case/inputs/read_amount.hpp"
 #include "case/inputs/read_initial.hpp"
 #include "case/memory/memory_network.hpp"
 #include "case/network/node_vector.hpp"
-#include "case/read_packing_scene.hpp"
 #include "core/error.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "network/files/read_network.hpp"
 
 namespace superstep {
@@ -26,6 +27,21 @@ MatrixKind matrix_kind(TomlTable& network) {
   kind->reject("it must be \"auto\", \"laplacian\" or \"conductance\"");
 }
 
+NodeVector read_vector_of(const TomlValue& file, std::span<const std::int64_t> id) {
+  return read_named_file(file, [&](const auto& path) { return read_node_vector(path, id); });
+}
+
+/// Edges, a matrix and pores lack what a table of nodes says. Where nothing is said, nodes start at 0 and
+/// none is held; a capacity cannot be guessed.
+void require_capacity(TomlTable& network, const char* who, const char* other_way) {
+  if (!network.find("capacity"))
+    network.missing(
+        "capacity",
+        fmt::format("key 'capacity' is missing, and {} no capacities: give one number for all nodes "
+                    "[J/K or F], or {}",
+                    who, other_way));
+}
+
 /// A number for all nodes, or a file with one for each; nothing when the key is not there.
 void read_vector(TomlTable& network, const char* key, std::span<const std::int64_t> id,
                  std::vector<double>& out) {
@@ -35,8 +51,7 @@ void read_vector(TomlTable& network, const char* key, std::span<const std::int64
     out.assign(id.size(), value->number());
     return;
   }
-  const std::string path = beside_case(network.file(), value->string());
-  NodeVector values = read_node_vector(path, id);
+  NodeVector values = read_vector_of(*value, id);
   for (std::size_t k = 0; k < id.size() && std::string(key) == "capacity"; ++k)
     if (!values.given[k])
       value->reject(
@@ -75,7 +90,7 @@ std::vector<std::size_t> nodes_of(TomlTable& entry, const Graph& graph, const Po
   if (ids.array().empty()) ids.reject("it must hold at least one id");
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
-    if (found == position.end()) id.reject("it must be the id of a node");
+    if (found == position.end()) id.reject("it must be the id of a node; " + ids_in_words(graph.id));
     out.push_back(found->second);
   }
   return out;
@@ -86,7 +101,7 @@ void read_fixed(TomlTable& network, double t_end, const PoreNetwork* pores, Grap
   const auto fixed = network.find("fixed");
   if (!fixed) return;
   if (fixed->is_string()) {
-    const NodeVector values = read_node_vector(beside_case(network.file(), fixed->string()), graph.id);
+    const NodeVector values = read_vector_of(*fixed, graph.id);
     for (std::size_t k = 0; k < graph.nodes(); ++k)
       if (values.given[k]) fix(graph, k, {values.value[k], -1}, *fixed);
     return;
@@ -133,10 +148,12 @@ void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, 
 
 NetworkInput read_pores(TomlTable& network, const TomlValue& file, double t_end) {
   const auto conductance = network.require("conductance", "it names the throats' column of conductances");
+  require_capacity(network, "throats have", "the column of pores that holds them");
   const auto capacity = network.find("capacity");
   const bool by_column = capacity && capacity->is_string();
-  PoreNetwork pores = read_openpnm(beside_case(network.file(), file.string()), conductance.string(),
-                                   by_column ? capacity->string() : std::string{});
+  PoreNetwork pores = read_named_file(file, [&](const auto& path) {
+    return read_openpnm(path, conductance.string(), by_column ? capacity->string() : std::string{});
+  });
   if (capacity && !by_column)
     pores.input.graph.capacity.assign(pores.input.graph.nodes(), capacity->number());
   read_node_keys(network, t_end, &pores, pores.input.graph);
@@ -170,11 +187,13 @@ NetworkInput read_network_files(TomlTable& network, double t_end, const NetworkA
              nodes = network.find("nodes"), edges = network.find("edges");
   const int ways = (matrix ? 1 : 0) + (openpnm ? 1 : 0) + (edges ? 1 : 0);
   if (ways > 1) throw InputError(fmt::format("{}: give one of edges, matrix and openpnm", network.where()));
-  const auto path = [&](const TomlValue& file) { return beside_case(network.file(), file.string()); };
   if (openpnm) return read_pores(network, *openpnm, t_end);
   if (matrix) {
+    require_capacity(network, "a matrix has", "a file with one for each");
+    const MatrixKind kind = matrix_kind(network);
+    const double ambient = network.number("ambient").value_or(0.0);
     NetworkInput input =
-        read_matrix_network(path(*matrix), matrix_kind(network), network.number("ambient").value_or(0.0));
+        read_named_file(*matrix, [&](const auto& path) { return read_matrix_network(path, kind, ambient); });
     read_node_keys(network, t_end, nullptr, input.graph);
     return input;
   }
@@ -183,11 +202,14 @@ NetworkInput read_network_files(TomlTable& network, double t_end, const NetworkA
         "edges",
         "give nodes and edges (CSV with id,capacity,source,initial,fixed and i,j,conductance), a matrix, "
         "or openpnm");
-  if (nodes) return read_nodes_and_edges(path(*nodes), path(*edges));
-  if (!network.find("capacity"))
-    network.missing("nodes",
-                    "it names a CSV with id,capacity,source,initial,fixed; edges alone need a capacity here");
-  NetworkInput input = read_edge_list(path(*edges));
+  if (nodes)
+    return read_named_file(*nodes, [&](const auto& of_nodes) {
+      return read_named_file(*edges,
+                             [&](const auto& of_edges) { return read_nodes_and_edges(of_nodes, of_edges); });
+    });
+  require_capacity(network, "edges have",
+                   "a file with one for each, or nodes = a table with id,capacity,source,initial,fixed");
+  NetworkInput input = read_named_file(*edges, [](const auto& path) { return read_edge_list(path); });
   read_node_keys(network, t_end, nullptr, input.graph);
   return input;
 }

@@ -8,10 +8,12 @@
 #include <unordered_map>
 #include <utility>
 
+#include "case/inputs/named_file.hpp"
 #include "case/read_packing_scene.hpp"
 #include "contact/search.hpp"
 #include "core/error.hpp"
 #include "core/text/csv.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "core/text/suggest.hpp"
 
 namespace superstep {
@@ -38,8 +40,8 @@ std::vector<Neck> read_necks(const std::string& path, const PackingScene& scene)
     const auto a = position.find(rows.integer(i)), b = position.find(rows.integer(j));
     if (a == position.end() || b == position.end())
       throw InputError(
-          fmt::format("{}: contact {}-{} names an unknown id; both must be particles of the packing",
-                      rows.where(), rows.integer(i), rows.integer(j)));
+          fmt::format("{}: contact {}-{} names an unknown id; both must be particles of the packing: {}",
+                      rows.where(), rows.integer(i), rows.integer(j), ids_in_words(packing.id)));
     if (a->second == b->second || !(rows.number(radius) > 0))
       throw InputError(
           fmt::format("{}: contact {}-{} with neck radius {}; it must join two particles and be > 0",
@@ -55,6 +57,10 @@ std::vector<Neck> read_necks(const std::string& path, const PackingScene& scene)
       throw InputError(fmt::format("{}:{}: this contact stands already in line {}; keep one", path,
                                    necks[k].line, necks[k - 1].line));
   return necks;
+}
+
+std::vector<Neck> necks_of(const TomlValue& file, const PackingScene& scene) {
+  return read_named_file(file, [&](const auto& path) { return read_necks(path, scene); });
 }
 
 /// The image of j nearest to i, in a periodic cell. Exact where the cell is not much tilted: the images next
@@ -152,8 +158,7 @@ void read_contacts(TomlTable& table, const std::string& place, PackingScene& sce
       if (other)
         other->reject("with neck = \"given\" the file lists every contact, across any gap; leave this out");
     const auto file = table.require("file", "with neck = \"given\" it names a CSV with i,j,radius");
-    for (const auto& one : read_necks(beside_case(table.file(), file.string()), scene))
-      append(scene.packing, one, scene.contacts);
+    for (const auto& one : necks_of(file, scene)) append(scene.packing, one, scene.contacts);
     return;
   }
   const NeckLaw& law = read_law(neck);
@@ -177,7 +182,7 @@ void read_contacts(TomlTable& table, const std::string& place, PackingScene& sce
   }
   scene.neck_report = apply_neck_law(scene.packing, law, parameters, scene.contacts);
   if (bonds) {
-    add_bonds(read_necks(beside_case(table.file(), bonds->string()), scene), scene.packing, scene.contacts);
+    add_bonds(necks_of(*bonds, scene), scene.packing, scene.contacts);
     sort_contacts(scene.contacts);
   }
   if (!gap && !bonds) warn_of_touching(scene);

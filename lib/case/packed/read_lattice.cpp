@@ -27,6 +27,7 @@ Lattice read_lattice(TomlTable& packing, double unit) {
   }
   lattice.spacing = unit * packing.positive("spacing", "length");
   lattice.diameter = unit * packing.positive("diameter", "length");
+  if (const auto rule = broken_rule(lattice); !rule.empty()) packing.find("diameter")->reject(rule);
   return lattice;
 }
 

@@ -10,14 +10,14 @@
 #include <numeric>
 #include <optional>
 
+#include "case/inputs/named_file.hpp"
+#include "case/press/check_overlaps.hpp"
 #include "case/press/read_kinematics.hpp"
 #include "case/press/read_values.hpp"
 #include "case/read_packing_scene.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "dynamics/laws/contact_law.hpp"
 #include "dynamics/random_addition.hpp"
-#include "packing/near_pairs.hpp"
 #include "packing/pack_checks.hpp"
 #include "packing/read.hpp"
 #include "packing/relaxation/size_distribution.hpp"
@@ -184,7 +184,6 @@ std::vector<std::size_t> materials_of(const TomlValue& file, const Packing& pack
 
 /// A packing in any format, with velocities, temperatures and bonds where it or files beside it have them.
 void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) {
-  const std::string path = beside_case(table.file(), file.string());
   PackingOptions options;
   options.place = file.where();
   options.periodic = "none";  // the walls are the box
@@ -192,14 +191,15 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
     options.length_unit = length_unit(unit->string(), unit->where());
     options.place = unit->where();
   }
-  const Packing packing = read_packing(path, options);
+  const Packing packing =
+      read_named_file(file, [&](const auto& path) { return read_packing(path, options); });
   std::optional<double> unit;
   if (table.find("velocity_unit")) unit = table.positive("velocity_unit", "m/s");
-  const Kinematics kinematics = read_kinematics(path, packing, unit);
+  const Kinematics kinematics = read_kinematics(named_path(file), packing, unit);
   std::vector<Bond> bonds;
   if (const auto stored = table.find("bonds")) {
     if (!reading.input.model.bond.acts()) stored->reject("the case has no [dynamics.bond]; remove it");
-    bonds = read_bonds(beside_case(table.file(), stored->string()), packing);
+    bonds = read_named_file(*stored, [&](const auto& path) { return read_bonds(path, packing); });
   }
   const Vec3 shift = table.find("shift") ? point_from(*table.find("shift")) : Vec3{};
   const auto material = materials_of(file, packing, reading);
@@ -224,32 +224,6 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
     return std::pair{a.i, a.j} < std::pair{b.i, b.j};
   });
   reading.input.state.bonds = std::move(bonds);
-}
-
-std::string where_is(const ModelInput& input, std::size_t i) {
-  const Vec3& at = input.state.position[i];
-  return fmt::format("particle {} at ({:.6g}, {:.6g}, {:.6g}) m", input.particles.id[i], at.x, at.y, at.z);
-}
-
-void check_start(const TomlTable& table, double largest, const ModelInput& input) {
-  const auto& position = input.state.position;
-  const auto& radius = input.particles.radius;
-  const char* way_out = "move them apart, or allow it with max_overlap";
-  for (const auto& [i, j] : near_pairs(position, radius)) {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    const double strain = -pair_strain(norm(position[b] - position[a]), radius[a] + radius[b]);
-    if (strain > largest)
-      throw InputError(
-          fmt::format("{}: {} and {} overlap by {:.4g} of the sum of their radii at the start; {}",
-                      table.where(), where_is(input, a), where_is(input, b), strain, way_out));
-  }
-  std::vector<WallContact> walls;
-  find_wall_contacts(input.model.box, input.model.box.max.z, position, radius, walls);
-  for (const auto& contact : walls)
-    if (-contact.strain > largest)
-      throw InputError(fmt::format("{}: {} overlaps the {} wall by {:.4g} of its radius at the start; {}",
-                                   table.where(), where_is(input, static_cast<std::size_t>(contact.particle)),
-                                   wall_name(contact.wall), -contact.strain, way_out));
 }
 
 }  // namespace
@@ -278,10 +252,9 @@ void read_particles(TomlTable table, const std::vector<PressMaterial>& materials
     read_list(*list, reading);
   else
     generate(table, seed, reading);
-  constexpr double rounding = 1e-9;  // particles that just touch do not overlap
   const auto largest = table.find("max_overlap");
   if (largest && !(largest->number() >= 0 && largest->number() < 1)) largest->reject("it must lie in [0, 1)");
-  check_start(table, largest ? largest->number() : rounding, input);
+  check_overlaps(input, largest ? std::optional(largest->number()) : std::nullopt, table.where());
 }
 
 }  // namespace superstep::dynamics

@@ -65,11 +65,12 @@ std::string gunzip(std::string_view bytes, const std::string& path, std::uintmax
     const std::size_t room = static_cast<std::size_t>(most) - out.size() + 1;
     const int status = inflater.run(bytes, out, room);
     if (out.size() > most)
-      throw InputError(fmt::format(
-          "{}: unpacks to more than {} bytes, the most that is read; is it the right file?", path, most));
+      throw FileError(
+          path,
+          fmt::format("unpacks to more than {} bytes, the most that is read; is it the right file?", most));
     if (status != Z_STREAM_END)
-      throw InputError(fmt::format("{}: the gzip file {}; copy or compress it again", path,
-                                   status == Z_BUF_ERROR ? "is cut off" : "is damaged"));
+      throw FileError(path, fmt::format("the gzip file {}; copy or compress it again",
+                                        status == Z_BUF_ERROR ? "is cut off" : "is damaged"));
     inflater.reset();
   }
   return out;  // what follows the last member is padding

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "core/error.hpp"
@@ -34,14 +35,34 @@ void check(const std::string& spec, const OptionKey& key, const std::string& val
         number && inside(key, static_cast<double>(*number)) && static_cast<double>(*number) <= largest_int;
   }
   if (!valid) {
-    const std::string near = key.words.empty() ? std::string{} : suggestion(value, key.words);
     throw UsageError(fmt::format("{}: {} = {} is not valid; it must be {}{}{}", spec, key.name,
                                  in_quotes(value), key.type == OptionKey::Type::integer ? "an integer, " : "",
-                                 key.range(), near));
+                                 key.range(), near_miss(value, key.words)));
   }
 }
 
+/// Name and settings of a SPEC, the latter sorted; it need not be valid.
+std::vector<std::string> parts_of(const std::string& spec) {
+  const std::size_t colon = std::min(spec.find(':'), spec.size());
+  std::vector<std::string> parts;
+  for (std::size_t begin = colon; begin < spec.size();) {
+    const std::size_t end = std::min(spec.find(',', begin + 1), spec.size());
+    parts.push_back(spec.substr(begin + 1, end - begin - 1));
+    begin = end;
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.push_back(spec.substr(0, colon));
+  return parts;
+}
+
 }  // namespace
+
+std::string repeated_spec(std::span<const std::string> specs) {
+  std::set<std::vector<std::string>> seen;
+  for (const auto& spec : specs)
+    if (!seen.insert(parts_of(spec)).second) return spec;
+  return {};
+}
 
 std::string Spec::parameters() const {
   const std::size_t colon = text.find(':');
@@ -58,6 +79,8 @@ Spec parse_spec(const std::string& text) {
         fmt::format("integrator {}: {}; write name or name:key=value,key=value", in_quotes(text), what));
   };
   if (spec.name.empty()) throw usage("the name is empty");
+  if (spec.name.find(',') != std::string::npos)
+    throw usage("a comma stands between settings, and several integrators are given apart, as in rkc rkl");
   if (colon == std::string::npos) return spec;
   std::string rest = text.substr(colon + 1);
   for (bool more = true; more;) {

@@ -24,6 +24,10 @@ struct Spec {
 /// Throws UsageError for an empty name, an empty key or value, a key without '=', or a key given twice.
 [[nodiscard]] Spec parse_spec(const std::string& text);
 
+/// The first of some SPECs that says what an earlier one says, in whatever order of its settings; empty =
+/// none.
+[[nodiscard]] std::string repeated_spec(std::span<const std::string> specs);
+
 /// One key of a SPEC: what it means and which values it takes.
 struct OptionKey {
   enum class Type { number, integer, word };

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/delimited.hpp"
+
 namespace superstep {
 namespace {
 
@@ -44,9 +46,10 @@ bool one_holds_the_other(std::string_view a, std::string_view b) {
 std::string nearest_by_spelling(std::string_view name, std::span<const std::string> candidates) {
   if (name.size() > longest) return {};
   std::string best;
-  std::size_t best_distance = 1 + std::max<std::size_t>(1, name.size() / 3);
+  // Of a single letter nothing is left when it is changed.
+  std::size_t best_distance = name.size() < 2 ? 1 : 1 + std::max<std::size_t>(1, name.size() / 3);
   for (const auto& candidate : candidates) {
-    const std::size_t distance = edit_distance(name, candidate);
+    const std::size_t distance = edit_distance(lower_case(name), lower_case(candidate));
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;
@@ -71,9 +74,13 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   return best;
 }
 
-std::string suggestion(std::string_view name, std::span<const std::string> candidates) {
+std::string near_miss(std::string_view name, std::span<const std::string> candidates) {
   const std::string near = nearest_name(name, candidates);
-  if (!near.empty()) return fmt::format("; did you mean '{}'?", near);
+  return near.empty() ? std::string{} : fmt::format("; did you mean '{}'?", near);
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string> candidates) {
+  if (const std::string near = near_miss(name, candidates); !near.empty()) return near;
   return candidates.empty() ? std::string{} : fmt::format("; valid are: {}", fmt::join(candidates, ", "));
 }
 

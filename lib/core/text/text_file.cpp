@@ -38,24 +38,22 @@ void require_regular_file(const std::string& path, std::uintmax_t most) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
-    throw InputError(
-        fmt::format("{}: no such file; check the path (one in a case file starts at that file)", path));
-  if (std::filesystem::is_directory(status))
-    throw InputError(fmt::format("{}: is a directory; name a file in it", path));
+    throw FileError(path, "no such file; check the path (one in a case file starts at that file)");
+  if (std::filesystem::is_directory(status)) throw FileError(path, "is a directory; name a file in it");
   if (!std::filesystem::is_regular_file(status))
-    throw InputError(fmt::format("{}: is {}, and no file; save what it holds and name that", path,
-                                 kind_of(status.type())));
+    throw FileError(
+        path, fmt::format("is {}, and no file; save what it holds and name that", kind_of(status.type())));
   const auto size = std::filesystem::file_size(path, error);
   if (!error && size > most)
-    throw InputError(
-        fmt::format("{}: has {} bytes, and at most {} are read; is it the right file?", path, size, most));
+    throw FileError(path,
+                    fmt::format("has {} bytes, and at most {} are read; is it the right file?", size, most));
 }
 
 std::string read_file(const std::string& path, std::uintmax_t most) {
   require_regular_file(path, most);
   std::error_code ignored;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  if (!stream) throw FileError(path, fmt::format("cannot be opened: {}", std::strerror(errno)));
   std::string text;
   const auto size = std::filesystem::file_size(path, ignored);
   if (!ignored) text.reserve(size);
@@ -63,7 +61,7 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
   std::string buffer(block, '\0');
   while (stream.read(buffer.data(), static_cast<std::streamsize>(block)) || stream.gcount() > 0)
     text.append(buffer, 0, static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  if (stream.bad()) throw FileError(path, fmt::format("cannot be read: {}", std::strerror(errno)));
   if (is_gzip(text)) text = gunzip(text, path, most);
   return to_utf8(std::move(text));
 }
@@ -71,10 +69,14 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
 std::string read_text_file(const std::string& path, std::uintmax_t most) {
   std::string text = read_file(path, most);
   if (text.find('\0') != std::string::npos)
-    throw InputError(fmt::format("{}: holds NUL bytes, so it is binary; a text file is expected", path));
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-    throw InputError(fmt::format("{}: is empty; a text file with content is expected", path));
+    throw FileError(path, "holds NUL bytes, so it is binary; a text file is expected");
+  require_content(text, path);
   return text;
+}
+
+void require_content(std::string_view text, const std::string& path) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw FileError(path, "is empty; a file with content is expected");
 }
 
 bool LineReader::next() noexcept {

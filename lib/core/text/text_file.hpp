@@ -26,6 +26,9 @@ void require_regular_file(const std::string& path, std::uintmax_t most = largest
 /// The same of text. Throws InputError for an empty file and for binary content (NUL bytes), too.
 [[nodiscard]] std::string read_text_file(const std::string& path, std::uintmax_t most = largest_data_file);
 
+/// Throws InputError for the text of an empty file, or one of blanks alone.
+void require_content(std::string_view text, const std::string& path);
+
 /// Walks the lines of a text, LF or CRLF, counting from 1.
 class LineReader {
  public:

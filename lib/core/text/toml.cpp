@@ -133,6 +133,10 @@ bool TomlValue::is_table() const noexcept {
   return node_->node->is_table();
 }
 
+const std::string& TomlValue::file() const noexcept {
+  return node_->document->file;
+}
+
 std::string TomlValue::where() const {
   return fmt::format("{}: key '{}'", node_->document->place(node_->node->source()), node_->path);
 }

@@ -34,6 +34,7 @@ class TomlValue {
   [[nodiscard]] std::vector<std::string> strings() const;
   [[nodiscard]] TomlTable table() const;
 
+  [[nodiscard]] const std::string& file() const noexcept;
   /// "file:line: key 'a.b'", or "file: key 'a.b'" of an unseen text, to begin an error message with.
   [[nodiscard]] std::string where() const;
   /// The value as an error message quotes it.

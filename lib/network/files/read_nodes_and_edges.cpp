@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text/csv.hpp"
+#include "core/text/ids_in_words.hpp"
 #include "network/files/read_network.hpp"
 
 namespace superstep {
@@ -62,8 +63,9 @@ void read_edges(const std::string& path, const Positions& positions, NetworkInpu
   const auto position = [&](std::int64_t node) {
     const auto found = positions.find(node);
     if (found == positions.end())
-      throw InputError(fmt::format("{}: edge end {} is not a node; every end must be an id of the nodes file",
-                                   rows.where(), node));
+      throw InputError(
+          fmt::format("{}: edge end {} is not a node; every end must be an id of the nodes file: {}",
+                      rows.where(), node, ids_in_words(input.graph.id)));
     return static_cast<std::size_t>(found->second);
   };
   for_edges(rows, [&](std::int64_t a, std::int64_t b, double value) {
