@@ -214,10 +214,16 @@ TEST_F(Inputs, MatricesEdgeListsAndNodesWithoutCapacity) {
   EXPECT_NEAR(values_at_end(list)[2], 4, 1e-6);
   EXPECT_FALSE(list.warnings.empty()) << "parallel edges are summed and said";
   expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\n", "'capacity' is missing, and edges have no");
-  expect_refused("t_end = 1\n[network]\nmatrix = \"K.mtx\"\n", "'capacity' is missing, and a matrix has no");
-  folder_.write("net.csv", "throat.conns[0],throat.conns[1],throat.g\n0,1,2.0\n");
-  expect_refused("t_end = 1\n[network]\nopenpnm = \"net.csv\"\nconductance = \"throat.g\"\n",
-                 "'capacity' is missing, and throats have no");
+  folder_.write("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -1\n2 2 1\n");
+  folder_.write("net.csv", "throat.conns[0],throat.conns[1],throat.g,pore.coords[0]\n0,1,2.0,0\n,,,1\n");
+  for (const char* network :
+       {"matrix = \"m.mtx\"\n", "openpnm = \"net.csv\"\nconductance = \"throat.g\"\n"}) {
+    const Scene scene = load(std::string("t_end = 1\n[network]\n") + network);
+    EXPECT_EQ(scene.fields[0].graph.capacity[0], 1);
+    std::string notes;
+    for (const auto& note : scene.warnings) notes += note + "\n";
+    EXPECT_NE(notes.find("every node has 1"), std::string::npos) << notes;
+  }
   expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
 }
 

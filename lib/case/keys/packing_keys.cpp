@@ -55,7 +55,7 @@ void list_common_keys(KeyList& keys) {
   keys.text("openpnm", "or a pore network in CSV or VTP");
   keys.text("conductance", "openpnm: the column of throats that conducts");
   keys.number("capacity", no_less_than_zero, "J/K or F",
-              "without nodes needed: of all, or a file, or openpnm's column")
+              "without nodes: of all, or a file, or openpnm's column; left out = 1, but edges need it")
       .types = CaseKey::number | CaseKey::text;
   keys.initial("K or V", "without nodes: of all, the file of a vector, or a table as below; left out = 0",
                CaseKey::text);

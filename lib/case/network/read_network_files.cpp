@@ -31,15 +31,12 @@ NodeVector read_vector_of(const TomlValue& file, std::span<const std::int64_t> i
   return read_named_file(file, [&](const auto& path) { return read_node_vector(path, id); });
 }
 
-/// Edges, a matrix and pores lack what a table of nodes says. Where nothing is said, nodes start at 0 and
-/// none is held; a capacity cannot be guessed.
-void require_capacity(TomlTable& network, const char* who, const char* other_way) {
+/// A matrix and pores say nothing of capacities: 1 is that of du/dt + K u = y, and said where it is taken.
+void note_capacity(TomlTable& network, std::vector<std::string>& notes) {
   if (!network.find("capacity"))
-    network.missing(
-        "capacity",
-        fmt::format("key 'capacity' is missing, and {} no capacities: give one number for all nodes "
-                    "[J/K or F], or {}",
-                    who, other_way));
+    notes.push_back(fmt::format(
+        "{}: no capacity is given: every node has 1; give one number for all [J/K or F], or a file",
+        network.where()));
 }
 
 /// A number for all nodes, or a file with one for each; nothing when the key is not there.
@@ -148,12 +145,12 @@ void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, 
 
 NetworkInput read_pores(TomlTable& network, const TomlValue& file, double t_end) {
   const auto conductance = network.require("conductance", "it names the throats' column of conductances");
-  require_capacity(network, "throats have", "the column of pores that holds them");
   const auto capacity = network.find("capacity");
   const bool by_column = capacity && capacity->is_string();
   PoreNetwork pores = read_named_file(file, [&](const auto& path) {
     return read_openpnm(path, conductance.string(), by_column ? capacity->string() : std::string{});
   });
+  note_capacity(network, pores.input.notes);
   if (capacity && !by_column)
     pores.input.graph.capacity.assign(pores.input.graph.nodes(), capacity->number());
   read_node_keys(network, t_end, &pores, pores.input.graph);
@@ -189,11 +186,11 @@ NetworkInput read_network_files(TomlTable& network, double t_end, const NetworkA
   if (ways > 1) throw InputError(fmt::format("{}: give one of edges, matrix and openpnm", network.where()));
   if (openpnm) return read_pores(network, *openpnm, t_end);
   if (matrix) {
-    require_capacity(network, "a matrix has", "a file with one for each");
     const MatrixKind kind = matrix_kind(network);
     const double ambient = network.number("ambient").value_or(0.0);
     NetworkInput input =
         read_named_file(*matrix, [&](const auto& path) { return read_matrix_network(path, kind, ambient); });
+    note_capacity(network, input.notes);
     read_node_keys(network, t_end, nullptr, input.graph);
     return input;
   }
@@ -207,8 +204,11 @@ NetworkInput read_network_files(TomlTable& network, double t_end, const NetworkA
       return read_named_file(*edges,
                              [&](const auto& of_edges) { return read_nodes_and_edges(of_nodes, of_edges); });
     });
-  require_capacity(network, "edges have",
-                   "a file with one for each, or nodes = a table with id,capacity,source,initial,fixed");
+  if (!network.find("capacity"))
+    network.missing("capacity",
+                    "key 'capacity' is missing, and edges have no capacities: give one number for all nodes "
+                    "[J/K or F], a file with one for each, or nodes = a table with "
+                    "id,capacity,source,initial,fixed");
   NetworkInput input = read_named_file(*edges, [](const auto& path) { return read_edge_list(path); });
   read_node_keys(network, t_end, nullptr, input.graph);
   return input;
