@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bench/app/cli/cli.hpp"
+#include "bench/app/cli/run_program.hpp"
 #include "bench/measure/run_one.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
@@ -112,22 +113,58 @@ std::string lattice() {
   return out;
 }
 
+int quietly(const std::vector<std::string>& arguments) {
+  testing::internal::CaptureStdout();
+  const int code = run_program(arguments);
+  testing::internal::GetCapturedStdout();
+  return code;
+}
+
+/// my_packing.csv as the README makes it.
+void pack_as_shown(const test::CaseFolder& folder) {
+  for (const auto& block : blocks(root / "README.md", "sh"))
+    for (const auto& command : commands(block)) {
+      if (!command.starts_with("pack ")) continue;
+      std::istringstream words(command + " --quiet");
+      std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
+      std::replace(arguments.begin(), arguments.end(), std::string("my_packing.csv"),
+                   folder.file("my_packing.csv"));
+      ASSERT_EQ(quietly(arguments), 0) << command;
+    }
+}
+
+/// A press leaves pressed.csv and its necks for the cases behind it.
+void run_press_as_shown(const test::CaseFolder& folder, const std::string& path) {
+  pack_as_shown(folder);
+  EXPECT_EQ(quietly({"run", path, "--quiet", "--export-packing", folder.file("pressed.csv"), "--out",
+                     folder.file("out")}),
+            0)
+      << path;
+}
+
 TEST(Documents, EveryCaseTheyShowRunsAsItStands) {
-  std::size_t seen = 0;
-  for (const auto& file : documents())
+  std::size_t seen = 0, presses = 0;
+  for (const auto& file : documents()) {
+    const test::CaseFolder folder;
+    folder.write("my_packing.csv", lattice());
+    folder.write("nodes.csv", "id,capacity,source,initial,fixed\n1,1,0,0,\n2,1,0,0,5\n");
+    folder.write("edges.csv", "i,j,conductance\n1,2,1\n");
     for (const auto& block : blocks(file, "toml")) {
       if (block.find("t_end") == std::string::npos) continue;
-      const test::CaseFolder folder;
-      folder.write("my_packing.csv", lattice());
-      folder.write("nodes.csv", "id,capacity,source,initial,fixed\n1,1,0,0,\n2,1,0,0,5\n");
-      folder.write("edges.csv", "i,j,conductance\n1,2,1\n");
-      folder.write("my_case.toml", block);
-      const Scene scene = load_scene(folder.file("my_case.toml"));
+      const std::string path = folder.write("my_case.toml", block);
+      ++seen;
+      if (block.find("[dynamics") != std::string::npos) {
+        run_press_as_shown(folder, path);
+        ++presses;
+        continue;
+      }
+      const Scene scene = load_scene(path);
       const RunResult run = run_one(scene, "auto:rtol=1e-2", {});
       EXPECT_TRUE(run.outcome.ok()) << file << ": " << run.outcome.reason << "\n" << block;
-      ++seen;
     }
-  EXPECT_GE(seen, 3U);
+  }
+  EXPECT_GE(seen, 5U);
+  EXPECT_GE(presses, 1U);
 }
 
 }  // namespace
