@@ -25,7 +25,7 @@ std::string press(const std::string& particles) {
          "walls = 300.0\n[dynamics]\n[dynamics.box]\nmin = [-1.0, -1.0, -1.0]\nmax = [1.0, 1.0, 1.0]\n"
          "[dynamics.contact]\nstiffness = 1e7\n[dynamics.wall]\nstiffness = 1e7\n[dynamics.bond]\nstiffness "
          "= "
-         "1e6\n[[dynamics.phases]]\nname = \"rest\"\nuntil = 1.0\n";
+         "1e6\nthreshold = 0.1\n[[dynamics.phases]]\nname = \"rest\"\nuntil = 1.0\n";
 }
 
 const std::string material = "[material]\ndensity = 1000.0\n";

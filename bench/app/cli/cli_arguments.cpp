@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <type_traits>
 #include <variant>
@@ -145,15 +146,27 @@ std::vector<std::string> with_lists_spelt_out(const std::vector<std::string>& li
   return out;
 }
 
-/// About an option that stands without its value, or too often.
-std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& error) {
-  const std::string what = error.what(), name = what.substr(0, what.find(':'));
-  const auto chosen = app.get_subcommands();
-  const auto* option = (chosen.empty() ? &app : chosen.front())->get_option_no_throw(name);
-  if (!option) return what;
-  if (!what.ends_with("missing")) return fmt::format("{} stands more than once; give it once", name);
-  return fmt::format("{0} needs a value: {0} {1} ({2})", name, option->get_type_name(),
-                     option->get_description());
+const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& line) {
+  for (const auto* command : app.get_subcommands(nullptr))
+    if (!line.empty() && command->get_name() == line.front()) return *command;
+  return app;
+}
+
+/// "--out", "-o" or "--", and no number below zero.
+bool is_option(const std::string& word) {
+  return word.starts_with("--") ||
+         (word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])) != 0);
+}
+
+/// The parser would take the option that follows for the value.
+void require_values(const CLI::App& command, const std::vector<std::string>& line) {
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (!is_option(line[k]) || (k + 1 < line.size() && !is_option(line[k + 1]))) continue;
+    const auto* option = command.get_option_no_throw(line[k]);
+    if (option && option->get_items_expected_min() > 0)
+      throw UsageError(fmt::format("{0} needs a value: {0} {1} ({2})", line[k], option->get_type_name(),
+                                   option->get_description()));
+  }
 }
 
 }  // namespace
@@ -170,13 +183,15 @@ Arguments read_arguments(const std::vector<std::string>& written) {
   app.add_flag("--version", version, "print the version");
   add_common(app, values);
   add_commands(app, values);
+  require_values(command_of(app, line), line);
   try {
     app.parse(std::vector<std::string>(line.rbegin(), line.rend()));  // CLI11 takes them from the back
   } catch (const CLI::CallForHelp&) {
     values.text = app.help();
     return values;
   } catch (const CLI::ArgumentMismatch& error) {
-    throw UsageError(mismatch_text(app, error));
+    const std::string what = error.what();
+    throw UsageError(what.substr(0, what.find(':')) + " stands more than once; give it once");
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
