@@ -182,8 +182,7 @@ TEST(PeriodicConductivity, IsZeroAlongAxesThatNoContactsLeadThrough) {
   const auto tensor = conductivity_of(packing);
   EXPECT_GT(tensor[2][2], 0);
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = 0; b < 3; ++b)
-      EXPECT_EQ(a == 2 && b == 2 ? 0 : tensor[a][b], 0) << a << b;
+    for (std::size_t b = 0; b < 3; ++b) EXPECT_EQ(a == 2 && b == 2 ? 0 : tensor[a][b], 0) << a << b;
 }
 
 TEST(PeriodicConductivity, OfACubicLatticeIsConductanceOverSpacing) {
