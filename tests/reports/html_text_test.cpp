@@ -22,6 +22,15 @@ TEST(HtmlText, BytesThatAreNotUtf8AreReplaced) {
   EXPECT_EQ(valid_utf8("\xe2\x82"), "\xEF\xBF\xBD\xEF\xBF\xBD") << "cut off at the end";
 }
 
+TEST(HtmlText, SpecsInASentenceBreakAfterColonAndCommaAlone) {
+  EXPECT_EQ(sentence_html("Fastest & best"), "Fastest &amp; best");
+  EXPECT_EQ(sentence_html("take rkc:rtol=1e-3,step=<2>; done."),
+            "take <span class=\"whole\">rkc:</span><wbr><span class=\"whole\">rtol=1e-3,</span><wbr>"
+            "<span class=\"whole\">step=&lt;2&gt;;</span> done.");
+  EXPECT_EQ(sentence_html("="), "<span class=\"whole\">=</span>");
+  EXPECT_EQ(sentence_html(""), "");
+}
+
 TEST(HtmlText, ShorteningNeverSplitsACharacter) {
   EXPECT_EQ(shortened("short", 5), "short");
   EXPECT_EQ(shortened("longer", 5), "long…");

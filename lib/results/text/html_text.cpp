@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace superstep {
@@ -56,6 +57,26 @@ std::string html_text(std::string_view text) {
       out += "&#39;";
     else if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n')
       out += c == '\x7F' ? ' ' : c;
+  }
+  return out;
+}
+
+std::string sentence_html(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, std::min(text.find(' '), text.size()));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+    if (!out.empty()) out += ' ';
+    if (word.find('=') == std::string_view::npos) {
+      out += html_text(word);
+      continue;
+    }
+    for (std::size_t begin = 0; begin < word.size();) {
+      const std::size_t end = std::min(word.find_first_of(":,", begin), word.size() - 1) + 1;
+      out += fmt::format("{}<span class=\"whole\">{}</span>", begin > 0 ? "<wbr>" : "",
+                         html_text(word.substr(begin, end - begin)));
+      begin = end;
+    }
   }
   return out;
 }

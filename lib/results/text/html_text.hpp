@@ -11,6 +11,10 @@ namespace superstep {
 /// characters other than tab and line break dropped, bytes that are not UTF-8 replaced by U+FFFD.
 [[nodiscard]] std::string html_text(std::string_view text);
 
+/// A sentence for element content: words with a setting, as "rkc:rtol=1e-3,step=2", break after ':' and ','
+/// alone.
+[[nodiscard]] std::string sentence_html(std::string_view text);
+
 /// Valid UTF-8: every byte that is not becomes U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 

@@ -159,7 +159,7 @@ std::string answer_section(const CaseInput& input, const std::string& id) {
   const std::string words =
       summary_words(one) + (input.work_precision ? sweep_words(*input.work_precision) : "");
   return html_section(id + "-answer", "The answer", "",
-                      fmt::format("<p class=\"lead\">{}</p>\n{}", html_text(words), table));
+                      fmt::format("<p class=\"lead\">{}</p>\n{}", sentence_html(words), table));
 }
 
 std::string results_section(const CaseInput& input, const std::string& id) {
