@@ -62,7 +62,8 @@ class MarkupReader {
     return true;
   }
   [[nodiscard]] bool is_void() const {
-    return name_ == "meta" || name_ == "link" || name_ == "br" || name_ == "img" || name_ == "hr";
+    return name_ == "meta" || name_ == "link" || name_ == "br" || name_ == "wbr" || name_ == "img" ||
+           name_ == "hr";
   }
   [[nodiscard]] std::string last() const { return open_.empty() ? "nothing" : open_.back(); }
 
