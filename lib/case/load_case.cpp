@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text/options.hpp"
 #include "core/text/text_file.hpp"
+#include "network/files/recognise_network.hpp"
 #include "packing/read.hpp"
 
 namespace superstep {
@@ -46,6 +47,16 @@ void read_bench(TomlTable& root, CaseHead& head) {
   }
 }
 
+/// The key of [network] that such a file stands under; empty for other files.
+std::string key_of_network(const std::string& path) {
+  try {
+    const auto network = recognise_network(path);
+    return network ? network->key : "";
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 void read_head(TomlTable& root, CaseHead& head) {
@@ -62,11 +73,15 @@ TomlTable parse_case(const std::string& path) {
   try {
     return TomlTable::parse_file(path);
   } catch (const InputError&) {
-    if (!reads_as_packing(path)) throw;
-    throw InputError(fmt::format(
-        "{}: this is a packing; give the case that names it: a TOML file with [packing] file = {} (see "
-        "cases/README.md)",
-        path, superstep::in_quotes(std::filesystem::path(path).filename().string())));
+    const std::string name = superstep::in_quotes(std::filesystem::path(path).filename().string());
+    const auto complain = [&](const char* what, const std::string& key) {
+      throw InputError(fmt::format(
+          "{}: this is a {}; give the case that names it: a TOML file with {} = {} (see cases/README.md)",
+          path, what, key, name));
+    };
+    if (reads_as_packing(path)) complain("packing", "[packing] file");
+    if (const auto key = key_of_network(path); !key.empty()) complain("network", "[network] " + key);
+    throw;
   }
 }
 

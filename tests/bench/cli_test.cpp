@@ -82,6 +82,16 @@ TEST_F(Program, APackingInPlaceOfACaseIsToldApart) {
   expect_error("run list.csv", 3, "list.csv:1");
 }
 
+TEST_F(Program, ANetworkInPlaceOfACaseIsToldApart) {
+  folder_.write("e.csv", "i,j,conductance\n1,2,3\n");
+  folder_.write("bare.txt", "1 2 3.5\n2 3 4\n");
+  folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -1\n2 2 1\n");
+  for (const auto& [file, key] : {std::pair{"e.csv", "edges"}, {"bare.txt", "edges"}, {"K.mtx", "matrix"}}) {
+    expect_error(fmt::format("run {}", file), 3, fmt::format("{}: this is a network", file));
+    EXPECT_NE(err().find(fmt::format("[network] {} = '{}'", key, file)), std::string::npos) << err();
+  }
+}
+
 TEST_F(Program, ReportsNeedResultsAndNamesOfFoldersDoNoHarm) {
   expect_error("report", 2, "folder of results is missing");
   expect_error("report missing", 3, "missing");
