@@ -56,6 +56,7 @@ std::string body_of(const ReportInput& input) {
     rest += work_precision_section(input.other_studies[k], fmt::format("study-{}", k + 1));
   if (input.stability) rest += stability_section(*input.stability);
   rest += runs_section(input.runs) + machine_section(input);
+  if (rest.empty()) return out;
   return out +
          fmt::format("<article id=\"general\">\n<h2>{}</h2>\n{}</article>\n", general_title(input), rest);
 }

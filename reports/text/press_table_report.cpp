@@ -11,7 +11,7 @@ namespace superstep {
 std::string press_table_trends(std::span<const PressTableRow> rows) {
   const auto hold = trend_with_hold(rows), densification = trend_with_densification(rows);
   return fmt::format(
-      "less springback with longer hold in {} of {} pairs, with higher densification in {} of {}", hold.less,
+      "Less springback with longer hold in {} of {} pairs, with higher densification in {} of {}", hold.less,
       hold.pairs, densification.less, densification.pairs);
 }
 
