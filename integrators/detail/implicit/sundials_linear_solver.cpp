@@ -105,7 +105,7 @@ class GmresLinearSolver final : public SundialsLinearSolver {
     // Part of Newton's tolerance that a linear solve may miss by, in the preconditioned norm. The packages'
     // 0.05 is too much where two fields act on each other, of which the preconditioner knows nothing: the
     // error then is up to 75 times the tolerance.
-    constexpr double part = 5e-4;
+    constexpr double part = 1e-3;
     check_sundials(cvode ? CVodeSetEpsLin(integrator, part) : ARKStepSetEpsLin(integrator, part),
                    "setting the tolerance of GMRES");
   }
