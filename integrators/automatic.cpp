@@ -43,7 +43,7 @@ class Automatic final : public Method {
     const Work work = work_of(rhs, task.t_begin, task.plan->output_times);
     const CostConstants& constants = fitted_constants();
     const auto all = candidates(work, rtol_, constants);
-    const std::string spec = spec_of(all.front(), work);
+    std::string spec = spec_of(all.front(), work);
     // The exponential chooses its basis itself; what is compared with is another method.
     const auto other = std::find_if(all.begin(), all.end(), [&](const Candidate& one) {
       return method_of(spec_of(one, work)) != method_of(spec);

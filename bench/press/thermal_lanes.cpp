@@ -89,7 +89,7 @@ Timing timing_of(const Lane& lane, bool with_building) {
   std::vector<double> seconds;
   for (const auto& bridge : lane.bridges)
     seconds.push_back(bridge.cpu_stepping() + (with_building ? bridge.cpu_building() : 0));
-  return summarize(std::move(seconds));
+  return summarize(seconds);
 }
 
 BenchRow row_of(const BenchCase& one, const Lane& lane, const HarnessOptions& options) {

@@ -43,7 +43,7 @@ std::vector<int> stage_counts(const StabilisedFamily& family, bool quick) {
 
 }  // namespace
 
-StabilityTheory stabilised_theory(std::vector<OfferedFamily> families) {
+StabilityTheory stabilised_theory(const std::vector<OfferedFamily>& families) {
   return {.functions =
               [families](bool quick) {
                 std::vector<StabilityModel> models;

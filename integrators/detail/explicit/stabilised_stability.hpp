@@ -16,6 +16,6 @@ struct OfferedFamily {
   bool limit_when_quick;
 };
 
-[[nodiscard]] StabilityTheory stabilised_theory(std::vector<OfferedFamily> families);
+[[nodiscard]] StabilityTheory stabilised_theory(const std::vector<OfferedFamily>& families);
 
 }  // namespace superstep

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -88,10 +89,10 @@ TimeTable repeated(const TimeTable& once, const TomlValue& period, double t_end)
         "too late",
         t_end, most_knots));
   TimeTable out;
-  for (double turn = first; turn <= last; ++turn)
+  for (auto turn = static_cast<std::int64_t>(first); turn <= static_cast<std::int64_t>(last); ++turn)
     for (std::size_t k = 0; k < once.time.size(); ++k) {
       // What comes later has been rounded more: it must not fall behind what is there.
-      double at = once.time[k] + turn * length;
+      double at = once.time[k] + static_cast<double>(turn) * length;
       if (!out.time.empty()) at = std::max(at, out.time.back());
       const std::size_t n = out.time.size();
       if (n >= 2 && out.time[n - 1] == at && out.time[n - 2] == at) {
