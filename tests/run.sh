@@ -4,7 +4,7 @@
 #
 # Cold on two cores it may take 2400 s. What each stage may take of it; one that needs more moves work to full.sh:
 #   packages 150, build 900, suite 800, readers under sanitizers 330, gate and formats 60,
-#   where there is clang fuzzers of the readers 250
+#   where there is clang fuzzers of the readers 250, where there is clang-tidy up to eight sources 100
 set -euo pipefail
 # shellcheck source=bench/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../bench/setup.sh"

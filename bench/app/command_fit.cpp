@@ -14,7 +14,7 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "results/corpus/corpus_csv.hpp"
-#include "results/corpus/corpus_tables.hpp"
+#include "results/text/plain_table.hpp"
 
 namespace superstep {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// What methods cost: the constants that `auto` and `exponential` choose by, written by `superstep fit`.
 ///
-/// 547 points of 21 scenes; AMD EPYC; revision 88ff48ca8ce0; 2026-11-26;
+/// 547 points of 21 scenes; AMD EPYC; revision 88ff48ca8ce0-dirty; 2026-11-26;
 /// superstep fit quick/corpus.csv more/corpus.csv middle/corpus.csv
 
 #include "integrators/costs/constants.hpp"

@@ -227,11 +227,9 @@ void HostedHeat::gather() {
 /// the time since the start and t_1 that of the first call, dt/(2 t (1 + a)^2) adds up to at most 1, since
 /// the integral of 1/(1 + a)^2 over all a > 0 is 1. Taken down to a power of 16, so that a method stays
 /// prepared for many calls.
-double HostedHeat::share(double dt) noexcept {
-  elapsed_ += dt;
-  if (first_ == 0) first_ = dt;
-  const double age = 1 + std::log(elapsed_ / first_);
-  const double part = 0.5 * dt / (elapsed_ * age * age);
+double HostedHeat::share(double dt) const noexcept {
+  const double time = elapsed_ + dt, age = 1 + std::log(time / (first_ > 0 ? first_ : dt));
+  const double part = 0.5 * dt / (time * age * age);
   constexpr int bits = 4, usual = -2 * bits;  // of the first calls
   return std::ldexp(1.0, std::min(usual, bits * static_cast<int>(std::floor(std::log2(part) / bits))));
 }
@@ -249,6 +247,8 @@ Outcome HostedHeat::advance_temperatures(double dt) {
   Outcome outcome =
       stretches_.advance(dt, row_value_, stated_span_ > 0 ? stated_span_ : seen_.span(), share(dt));
   if (!outcome.ok()) return outcome;
+  elapsed_ += dt;
+  if (first_ == 0) first_ = dt;
   for (std::size_t row = 0; row < row_value_.size(); ++row) {
     double& temperature = temperature_[at(network_.node_of_row[row])];
     if (row_value_[row] != temperature - network_.origin)  // else not even a rounding

@@ -69,7 +69,7 @@ class HostedHeat {
   [[nodiscard]] bool is_held(std::size_t particle) const noexcept { return held_[particle] != 0; }
   void build();
   [[nodiscard]] Network new_network() const;
-  [[nodiscard]] double share(double dt) noexcept;
+  [[nodiscard]] double share(double dt) const noexcept;
   void find_places();
   void fill();
   void gather();
@@ -88,7 +88,7 @@ class HostedHeat {
   std::vector<double> row_value_;   // [rows] differences from the network's origin
   FieldRange seen_;                 // K
   double stated_span_ = 0;          // K; 0 = not stated
-  double elapsed_ = 0, first_ = 0;  // s; since the start, and of the first call
+  double elapsed_ = 0, first_ = 0;  // s; of all calls so far, and of the first one
 };
 
 }  // namespace superstep

@@ -62,6 +62,7 @@ void find_bond_switches(const Step& step, std::vector<Switch>& out) {
   if (!law.acts() || kind.smooth) return;
   const ContactTable& table = step.network.contacts().table();
   const BondArrays& bonds = step.network.contacts().bonded();
+  if (!kind.any_switches(law, bonds, table)) return;
   std::size_t b = 0;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const bool bonded = b < bonds.size() && bonds.pair[b] == k;
@@ -70,7 +71,7 @@ void find_bond_switches(const Step& step, std::vector<Switch>& out) {
     b += bonded ? 1 : 0;
     const double strain = table.strain[k];
     const double margin = kind.margin(law, strain, now, bonded);
-    if (!(bonded ? margin < 0 : margin <= 0)) continue;
+    if (!switches(margin, bonded)) continue;
     constexpr double little = 1e-7;
     const double sense = (kind.margin(law, strain + little, now, bonded) - margin) / little;
     const double first = kind.margin(law, step.strain_at_begin(k), before, bonded);

@@ -56,6 +56,18 @@ HtmlTable::Cell number_cell(const double* value, int digits) {
   return {.text = number_text(*value, digits), .sort_key = fmt::format("{}", *value)};
 }
 
+std::string plain_table_html(const PlainTable& table, bool sortable) {
+  std::vector<HtmlTable::Header> headers;
+  for (const auto& header : table.headers) headers.push_back({header, "", false});
+  HtmlTable out(headers, sortable);
+  for (const auto& row : table.rows) {
+    std::vector<HtmlTable::Cell> cells;
+    for (const auto& cell : row) cells.push_back({.text = cell.text, .kind = cell.kind, .hint = cell.hint});
+    out.add_row(std::move(cells));
+  }
+  return out.html();
+}
+
 std::string fact_list(const std::vector<std::pair<std::string, std::string>>& rows) {
   if (rows.empty()) return {};
   std::string out = "<dl>\n";

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "results/text/plain_table.hpp"
+
 namespace superstep {
 
 /// <section> with a heading; empty when there is no body.
@@ -48,6 +50,8 @@ template <class Optional>
   const auto number = static_cast<double>(*value);
   return number_cell(&number, digits);
 }
+
+[[nodiscard]] std::string plain_table_html(const PlainTable& table, bool sortable);
 
 /// Names and values below each other, in two columns; `rows` are plain text.
 [[nodiscard]] std::string fact_list(const std::vector<std::pair<std::string, std::string>>& rows);

@@ -36,6 +36,23 @@ TEST(ProbeErrors, AreTakenAtTheMethodsOwnStepEnds) {
   EXPECT_NEAR(errors.decay_r2.value(), 1, 1e-12);
 }
 
+TEST(Judge, FarOffIsInaccurate) {
+  FieldErrors errors;
+  errors.span = 1000;
+  errors.rms = 90;
+  errors.relative_rms = 0.09;
+  Outcome outcome;
+  judge(errors, "temperature", "K", outcome);
+  EXPECT_TRUE(outcome.ok()) << "a tenth of the span is the limit";
+  errors.delivered = 11;
+  judge(errors, "temperature", "K", outcome);
+  EXPECT_EQ(outcome.status, Status::inaccurate);
+  EXPECT_NE(outcome.reason.find("11 times"), std::string::npos) << outcome.reason;
+  errors.relative_rms = 0.2;
+  judge(errors, "temperature", "K", outcome);
+  EXPECT_NE(outcome.reason.find("20 %"), std::string::npos) << outcome.reason;
+}
+
 class RodVerification : public testing::Test {
  protected:
   Verification of(const std::string& spec) {

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "bench/lab/catalogue.hpp"
 #include "bench/lab/chain.hpp"
 #include "bench/lab/function.hpp"
 #include "bench/lab/lab.hpp"
@@ -281,6 +282,22 @@ TEST(StiffestMode, OfANetworkWithoutConductanceIsAtRest) {
   graph.conductance.assign(graph.edges(), 0.0);
   Problem problem(graph);
   EXPECT_EQ(stiffest_mode(*problem.rhs).rate, 0);
+}
+
+/// Hundreds of roundings that ROCK4's finish multiplies: as many as are foreseen, not a hundred times fewer.
+TEST(StabilityLab, KnowsWhatROCK4RoundsAtManyStages) {
+  const Scene scene = load_scene(SUPERSTEP_SOURCE_DIR "/cases/nial_thermal.toml");
+  PerturbationRhs rhs(*scene.rhs);
+  const StiffestMode mode = stiffest_mode(rhs);
+  std::size_t seen = 0;
+  for (const auto& method : stability_functions(false)) {
+    if (method.family != "rock4" || method.stages < 50) continue;
+    const MethodStability found = examine_method(rhs, mode, method);
+    EXPECT_TRUE(found.agrees) << method.stages << ": " << found.difference << " of " << found.tolerance;
+    EXPECT_GT(found.difference, 0.01 * method.rounding) << method.stages;
+    ++seen;
+  }
+  EXPECT_EQ(seen, 2U);
 }
 
 TEST(StabilityFunction, SuperstepIsTheProductOfItsSubsteps) {

@@ -11,7 +11,7 @@
 #include "bench/press/press_table.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "reports/text/press_table_report.hpp"
+#include "results/press/press_table_text.hpp"
 
 namespace superstep {
 

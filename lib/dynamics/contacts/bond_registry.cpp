@@ -125,7 +125,7 @@ bool any_switches(const BondLaw& law, const BondArrays& bonds, const ContactTabl
   for (std::size_t k = 0; k < table.size(); ++k) {
     const bool bonded = b < bonds.size() && bonds.pair[b] == k;
     const double margin = Law::margin(law, table.strain[k], bonded ? bonds.now[b] : BondMemory{}, bonded);
-    if (bonded ? margin < 0 : margin <= 0) return true;
+    if (switches(margin, bonded)) return true;
     b += bonded ? 1 : 0;
   }
   return false;

@@ -40,12 +40,17 @@ struct BondSurroundings {
   StepPart step;
 };
 
+/// True where a pair at this margin forms a bond, or breaks the one that it has.
+[[nodiscard]] constexpr bool switches(double margin, bool bonded) noexcept {
+  return bonded ? margin < 0 : margin <= 0;
+}
+
 struct BondKind {
   BondRule rule;
   std::string_view name;  ///< in case files
   bool smooth;            ///< no jump of the force when bonds form or break
   bool grows;             ///< has a neck that needs temperatures
-  /// > 0 while the pair stays as it is; <= 0 forms a bond, < 0 breaks it.
+  /// > 0 while the pair stays as it is; see `switches`.
   double (*margin)(const BondLaw&, double strain, BondMemory, bool bonded);
   /// Whether any pair of the table would form a bond, or break its own.
   bool (*any_switches)(const BondLaw&, const BondArrays&, const ContactTable&);

@@ -118,12 +118,12 @@ void ContactPoints::switch_bonds() {
   std::size_t b = 0;
   for (std::size_t k = 0; k < table_.size(); ++k) {
     const bool bonded = b < bonds_.size() && arrays_.pair[b] == k;
-    const BondMemory memory = bonded ? arrays_.now[b] : BondMemory{std::max(-table_.strain[k], 0.0), 0};
+    const BondMemory memory = bonded ? arrays_.now[b] : BondMemory{};
     b += bonded ? 1 : 0;
-    const double margin = kind_.margin(law_, table_.strain[k], memory, bonded);
-    const bool switches = bonded ? margin < 0 : margin <= 0;
-    if (bonded != switches) kept.push_back({table_.i[k], table_.j[k], memory.overlap, memory.growth});
-    if (!switches || !bonded) continue;
+    const bool turns = switches(kind_.margin(law_, table_.strain[k], memory, bonded), bonded);
+    const double overlap = bonded ? memory.overlap : std::max(-table_.strain[k], 0.0);
+    if (bonded != turns) kept.push_back({table_.i[k], table_.j[k], overlap, memory.growth});
+    if (!turns || !bonded) continue;
     table_.keep[k] = 1;  // torn apart: nothing holds or flows any more
     table_.pull[k] = table_.damping[k] = 0;
     table_.flow[k] = table_.area[k] / (table_.radius_sum[k] * (1 + table_.strain[k]));

@@ -14,18 +14,6 @@
 namespace superstep {
 namespace {
 
-std::string table_html(const PlainTable& table, bool sortable) {
-  std::vector<HtmlTable::Header> headers;
-  for (const auto& header : table.headers) headers.push_back({header, "", false});
-  HtmlTable out(headers, sortable);
-  for (const auto& row : table.rows) {
-    std::vector<HtmlTable::Cell> cells;
-    for (const auto& cell : row) cells.push_back({.text = cell.text, .kind = cell.kind, .hint = cell.hint});
-    out.add_row(std::move(cells));
-  }
-  return out.html();
-}
-
 /// Steps of a profile as the corners of a line, from 1 to the largest factor shown.
 ChartSeries profile_series(const Profile& profile, double largest) {
   ChartSeries series{.name = profile.integrator, .look = method_look(profile.integrator)};
@@ -113,7 +101,7 @@ std::string corpus_article(std::span<const CorpusRow> rows) {
       fmt::format("<article id=\"corpus\">\n<h2>Corpus</h2>\n<p>{}.</p>\n", html_text(corpus_headline(rows)));
   constexpr double usual_level = 1e-4;
   for (const auto& table : corpus_tables(rows)) {
-    std::string body = table_html(table, table.id != "map");
+    std::string body = plain_table_html(table, table.id != "map");
     if (table.id == "profiles") body = figure_row(profile_figures(cells)) + body;
     if (table.id == "winners")
       body += figure_row(size_figure(cells, usual_level, "cpu", "CPU time [s]",

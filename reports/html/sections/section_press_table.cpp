@@ -9,7 +9,7 @@
 #include "reports/chart/chart.hpp"
 #include "reports/html/html_parts.hpp"
 #include "reports/html/sections/sections.hpp"
-#include "reports/text/press_table_report.hpp"
+#include "results/press/press_table_text.hpp"
 #include "results/text/html_text.hpp"
 
 namespace superstep {
@@ -50,37 +50,6 @@ GridChart springback_chart(const std::string& name, const std::vector<PressTable
   return chart;
 }
 
-/// The numbers behind the picture.
-std::string numbers_of(const std::vector<PressTableCell>& cells) {
-  HtmlTable table({{"upper wall [m]", "lowest height"},
-                   {"hold [s]"},
-                   {"beds", "that ended well"},
-                   {"poured", "volume fraction"},
-                   {"pressed", "volume fraction"},
-                   {"springback [%]", "of the pressed volume fraction, mean over the beds"},
-                   {"+- [%]", "largest distance of a bed from the mean"},
-                   {"porosity below poured [%]", "after release, over that of the poured bed"},
-                   {"in points", "the same as a difference"},
-                   {"cools [K]", "mean temperature, from the end of the hold to that of the run"}},
-                  true);
-  for (const auto& cell : cells) {
-    const auto number = [&](double value, int digits) {
-      return number_cell(cell.beds > 0 ? Number(value) : std::nullopt, digits);
-    };
-    table.add_row({number_cell(Number(cell.upper_wall), 4),
-                   number_cell(Number(cell.hold), 4),
-                   {.text = count_text(cell.beds)},
-                   number(cell.poured, 3),
-                   number(cell.pressed, 3),
-                   number(100 * cell.springback, 3),
-                   number(100 * cell.spread, 2),
-                   number(100 * cell.drop, 3),
-                   number(100 * cell.points, 3),
-                   number(cell.cooling, 3)});
-  }
-  return table.html();
-}
-
 }  // namespace
 
 std::string press_table_article(std::span<const PressTableRow> rows) {
@@ -93,7 +62,8 @@ std::string press_table_article(std::span<const PressTableRow> rows) {
         first, cells.end(), [&](const PressTableCell& cell) { return cell.case_name != first->case_name; });
     const std::vector<PressTableCell> own(first, last);
     out += html_section(fmt::format("press-table-{}", ++number), own.front().case_name, "",
-                        grid_figure(springback_chart(own.front().case_name, own)) + numbers_of(own));
+                        grid_figure(springback_chart(own.front().case_name, own)) +
+                            plain_table_html(press_table_means(own), true));
     first = last;
   }
   return out + "</article>\n";

@@ -1,6 +1,7 @@
+#include "results/text/plain_table.hpp"
+
 #include <algorithm>
 
-#include "results/corpus/corpus_tables.hpp"
 #include "results/text/text_table.hpp"
 
 namespace superstep {
