@@ -223,7 +223,9 @@ def main():
                     faults += go_on(folder, f"seed {seed}")
             if os.path.exists(shim):  # none beside sanitizers
                 for rank in (0, PROCESSES - 1):
-                    least = allocations(folder, shim, ["run", "missing.toml"], rank)  # of the launcher's own world
+                    # Of the launcher's own world. A command that ends well: after a failure the launcher may
+                    # end a process before it has reported.
+                    least = allocations(folder, shim, ["list"], rank)
                     most = allocations(folder, shim, command, rank)
                     for k in range(kills):
                         number = least + round((most - least) * (k + 0.5) / kills)
