@@ -13,6 +13,9 @@ namespace superstep {
 namespace {
 
 constexpr double enough = 0.05;  // relative change of a span that ends the pilot runs
+// Span that a pilot run refers to over the one that it finds, at most, where it need not be repeated: its
+// error is then some two per cent of what it finds.
+constexpr double fine = 2;
 constexpr int most_runs = 8;
 
 /// Of all processes that share the state.
@@ -87,11 +90,15 @@ std::vector<double> guess(Rhs& rhs, const Plan& plan, double t, std::span<const 
   return rise;
 }
 
-/// Explicit where that is little work, else implicit: fixed by the scene alone.
+/// Explicit where that is little work, else implicit; where laws or two fields make a direct solver slow, by
+/// Krylov spaces. Fixed by the scene alone.
 std::string pilot_method(Rhs& rhs, const Plan& plan, double t, std::span<const double> y) {
-  constexpr double little = 1e6;  // t rho: some thousand sweeps
+  constexpr double little = 1e6, much = 1e8;  // t rho: some thousand sweeps, some ten thousand
+  constexpr std::size_t few = 2000;           // unknowns that a direct solver takes in its stride
   const double t_rho = (plan.output_times.back() - t) * rhs.spectral_bound(t, y);
-  return t_rho < little ? "rkc:rtol=1e-2" : "cvode:rtol=1e-2";
+  if (t_rho < little) return "rkc:rtol=1e-2";
+  if (rhs.traits().linear || rhs.reduction().total() < few) return "cvode:rtol=1e-2";
+  return t_rho < much ? "exprb:rtol=1e-2" : "cvode:linsol=gmres,rtol=1e-2";
 }
 
 /// For another try after a run that failed: a hundredth of each span, though not less than what was seen on
@@ -114,16 +121,19 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
   const auto declared = starting_ranges(rhs, plan, y);
   const auto& facts = rhs.facts().fields;
   Spans out;
+  std::vector<bool> known;
   for (std::size_t f = 0; f < declared.size(); ++f) {
     out.spans.push_back(declared[f].span());
-    out.pilot = out.pilot || !range_is_attained(facts[f], declared[f]);
+    known.push_back(range_is_attained(facts[f], declared[f]));
+    out.pilot = out.pilot || !known[f];
   }
   out.how = "initial and fixed values span it";
   if (!out.pilot || rhs.reduction().total() == 0) return out;
 
   const auto rise = guess(rhs, plan, t, y);
   std::vector<double> spans = out.spans;
-  for (std::size_t f = 0; f < spans.size(); ++f) spans[f] = std::max(spans[f], rise[f]);
+  for (std::size_t f = 0; f < spans.size(); ++f)
+    if (!known[f]) spans[f] = std::max(spans[f], rise[f]);
   const std::string method = pilot_method(rhs, plan, t, y);
   out.how = fmt::format("a pilot run by {} found it", method);
   for (int run = 1; run <= most_runs; ++run) {
@@ -152,7 +162,7 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
       outcome = {Status::failed, error.what()};
     }
     share(rhs, found);
-    double change = 0;
+    double change = 0, coarse = 0;
     for (std::size_t f = 0; f < spans.size(); ++f) {
       const double seen = found[f].span();
       if (!std::isfinite(seen)) {
@@ -162,6 +172,7 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
       // A run that was too coarse to see anything move says how fine the next one has to be.
       const double next = seen > 1e-2 * spans[f] ? seen : std::max(seen, 1e-3 * spans[f]);
       change = std::max(change, spans[f] > 0 ? std::abs(next / spans[f] - 1) : 0.0);
+      coarse = std::max(coarse, next > 0 ? spans[f] / next : 0.0);
       if (outcome.ok()) spans[f] = next;
     }
     if (outcome.status == Status::interrupted) break;
@@ -171,7 +182,7 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
       out.how += fmt::format("; it ended early: {}", outcome.reason);
       break;
     }
-    if (change <= enough) break;
+    if (change <= enough || coarse <= fine) break;
   }
   out.spans = spans;
   return out;

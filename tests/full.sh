@@ -13,7 +13,7 @@ cd "$root"
 SUPERSTEP_SANITIZE=1 ./tests/run.sh
 
 audit=build/release/bin/superstep_audit
-for check in "" --reference --shift --spans; do
+for check in "" --reference --shift --spans --bounds "--bounds --class driven-linear"; do
   # shellcheck disable=SC2086
   "$audit" --seeds "1:$((seeds + 1))" --jobs "$(nproc)" --list-bad $check
 done

@@ -78,6 +78,7 @@ check_scripts
 install_optional_packages "results are not held against their JSON Schema" python3-jsonschema
 install_optional_packages "tests of the report in a browser and of VTK files are skipped" chromium fonts-dejavu-core python3-vtk9
 install_optional_packages "instructions are not counted" valgrind
+install_optional_packages "bounds of errors are not held against sixty digits" libboost-dev
 fetch_chart_library
 fetch_node_modules tests/browser "tests of the report in a browser are skipped"
 cd "$root"

@@ -203,6 +203,7 @@ void CaseBench::warm_up(Contender& contender) {
   row.solves = run.statistics.solves;
   row.max_stages = static_cast<std::uint64_t>(run.statistics.max_stages);
   row.error_bound = error_bound_of(run);
+  row.rounding_bound = rounding_bound_of(run);
   row.choice = run.choice;
   row.processes = run.processes;
   row.peak_memory_mb = peak_memory_megabytes();

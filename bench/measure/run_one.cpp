@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -110,6 +113,21 @@ Outcome run_gathered(const Scene& scene, Plan plan, Integrator& method, const Ru
   return run_alone(scene, std::move(plan), method, request, std::move(stepping_begins), result);
 }
 
+/// Entries of a state are differences from the field's origin: taking it off inputs rounds, and so does
+/// adding it to results.
+void add_roundings_of_origins(const Scene& scene, RunResult& result) {
+  if (!(result.statistics.error_bound > 0)) return;
+  double most = 0;  // spans
+  for (const auto& field : scene.fields) {
+    if (field.view < 0 || field.origin == 0) continue;
+    const double span = result.spans.at(static_cast<std::size_t>(field.view));
+    const double largest = std::max(std::abs(field.low), std::abs(field.high)) + span;
+    if (span > 0) most = std::max(most, std::numeric_limits<double>::epsilon() * largest / span);
+  }
+  result.statistics.error_bound += most;
+  result.statistics.rounding_bound += most;
+}
+
 }  // namespace
 
 RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& request) {
@@ -134,6 +152,7 @@ RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& 
     }
   }
   result.outcome = watch.judged(std::move(outcome));
+  add_roundings_of_origins(scene, result);
   return result;
 }
 

@@ -58,6 +58,10 @@ struct RunResult {
 [[nodiscard]] inline std::optional<double> error_bound_of(const RunResult& run) {
   return run.statistics.error_bound > 0 ? std::optional(run.statistics.error_bound) : std::nullopt;
 }
+/// The part of it that is rounding.
+[[nodiscard]] inline std::optional<double> rounding_bound_of(const RunResult& run) {
+  return error_bound_of(run) ? std::optional(run.statistics.rounding_bound) : std::nullopt;
+}
 
 /// Builds the method anew and runs it. What the method cannot do or fails to do is an outcome. Stepping
 /// begins with `start`: estimates of the spectrum and the first step size are part of it.

@@ -139,6 +139,7 @@ RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult
           .verified_by = {},
           .delivered = std::nullopt,
           .error_bound = error_bound_of(run),
+          .rounding_bound = rounding_bound_of(run),
           .spans = run.spans,
           .cpu_pilot = run.cpu_pilot,
           .settled_at = run.settled_at,

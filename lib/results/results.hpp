@@ -58,10 +58,11 @@ struct BenchRow {
   Number speedup_total, speedup_stepping, speedup_theory;  ///< against the baseline of the case
   Number cpu_prepare;       ///< s, before the first step: spectrum, factorization, choice; median
   Number speedup_prepared;  ///< preparation and stepping together, against the baseline
-  Number cpu_pilot;    ///< s, of the run that found the spans for all methods; empty where none was needed
-  Number error_bound;  ///< rigorous bound of the error over the span [-]; empty = the method has none
-  Number cpu_verify;   ///< s, of runs by which a method checked itself; empty = it did not
-  int processes = 1;   ///< that took part
+  Number cpu_pilot;       ///< s, of the run that found the spans for all methods; empty where none was needed
+  Number error_bound;     ///< rigorous bound of the error over the span [-]; empty = the method has none
+  Number rounding_bound;  ///< the part of it that is rounding
+  Number cpu_verify;      ///< s, of runs by which a method checked itself; empty = it did not
+  int processes = 1;      ///< that took part
   std::optional<std::uint64_t> steps, rejected, rhs, jacobians, factorizations, solves, max_stages;
   /// Executed between start and end of the integration, as callgrind counts them; empty = nobody asked.
   std::optional<std::uint64_t> instructions;
@@ -162,6 +163,7 @@ struct RunRecord {
   std::string verified_by;               ///< SPEC that `--verify` ran as well; empty = it did not
   std::optional<double> delivered;       ///< error over the tolerance asked for, as far as verified [-]
   Number error_bound;                    ///< the method's own, over the span [-]; empty = it has none
+  Number rounding_bound;                 ///< the part of it that is rounding
   std::vector<double> spans;             ///< [fields] K or V; empty = no tolerance asked for them
   double cpu_pilot = 0, cpu_verify = 0;  ///< s
   std::optional<double> settled_at;      ///< s, when the potential became steady and was no longer stepped

@@ -37,6 +37,8 @@ constexpr const char* usage = R"(superstep_audit: random scenes against an oracl
   --shift              compare each scene with itself at temperatures 273.15 higher
   --reference          judge the reference instead: is its bar above its error, and how large is it
   --spans              judge the spans that the library finds
+  --bounds             judge the bounds that methods state, against sixty digits (default class: linear-constant,
+                       default methods: exponential by Chebyshev and by Lanczos)
   --describe           what the scenes are, with the oracle's span, error and time
 )";
 
@@ -49,7 +51,8 @@ struct Arguments {
   double limit = 5;  // s
   int jobs = 1;
   std::string csv;
-  bool by_class = false, list_bad = false, shift = false, reference = false, spans = false, describe = false;
+  bool by_class = false, list_bad = false, shift = false, reference = false, spans = false, bounds = false,
+       describe = false;
 };
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -106,6 +109,8 @@ Arguments parse(const std::vector<std::string>& words) {
       out.reference = true;
     } else if (word == "--spans") {
       out.spans = true;
+    } else if (word == "--bounds") {
+      out.bounds = true;
     } else if (word == "--describe") {
       out.describe = true;
     } else if (word == "--help") {
@@ -218,6 +223,15 @@ int run(const Arguments& arguments) {
   if (arguments.spans) {
     print_span_audit(std::cout, seeds, arguments.wishes, arguments.list_bad);
     return 0;
+  }
+  if (arguments.bounds) {
+    const std::vector<std::string> bases = {"exponential:basis=chebyshev", "exponential:basis=lanczos"};
+    const auto methods = contenders(arguments.methods.empty() ? bases : arguments.methods);
+    SceneWishes wishes = arguments.wishes;
+    if (wishes.kind.empty()) wishes.kind = "linear-constant";
+    return print_bounds_audit(std::cout, seeds, wishes, methods, arguments.rtols, arguments.list_bad) == 0
+               ? 0
+               : 1;
   }
   if (arguments.shift) {
     TimeLimit limit(arguments.limit);

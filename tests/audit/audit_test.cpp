@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "audit/special_audits.hpp"
 
@@ -274,6 +275,20 @@ TEST(ScenesThatWentWrong, AreRightNow) {
     EXPECT_EQ(row.status, "ok") << one.seed << ' ' << one.method << ": " << row.reason;
     EXPECT_LT(row.delivered, one.most) << one.seed << ' ' << one.method;
   }
+}
+
+/// Among them are scenes that bounds were wrong on: stored offsets, spaces without vectors, small solutions.
+TEST(AuditBounds, HoldAgainstSixtyDigits) {
+#ifdef SUPERSTEP_HAS_BOOST
+  const auto methods = contenders({"exponential:basis=chebyshev", "exponential:basis=lanczos"});
+  for (const auto* kind : {"linear-constant", "driven-linear"}) {
+    std::ostringstream out;
+    EXPECT_EQ(print_bounds_audit(out, {1, 32}, {.kind = kind}, methods, {1e-3, 1e-6, 1e-12}, true), 0)
+        << out.str();
+  }
+#else
+  GTEST_SKIP() << "built without Boost";
+#endif
 }
 
 TEST(AuditSpans, TheLibraryFindsWhatTheOracleSees) {

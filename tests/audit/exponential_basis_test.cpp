@@ -17,6 +17,7 @@ namespace superstep::audit {
 namespace {
 
 using test::Problem;
+using Real = long double;
 
 /// States at `times` [s].
 std::vector<std::vector<double>> exact_states(const Problem& problem, const std::vector<double>& times) {
@@ -39,7 +40,7 @@ std::vector<std::vector<double>> exact_states(const Problem& problem, const std:
         load[own] += Real{graph.conductance[k]} * graph.fixed_value[static_cast<std::size_t>(to)];
       }
     }
-  const Modes modes = find_modes(NetworkFactor(weight, outward, capacity), capacity);
+  const auto modes = find_modes(NetworkFactor(weight, outward, capacity), capacity);
   std::vector<std::vector<double>> states;
   for (const double t : times) {
     std::vector<Real> y(n, 0);
@@ -50,7 +51,7 @@ std::vector<std::vector<double>> exact_states(const Problem& problem, const std:
         start += vector[i] * std::sqrt(capacity[i]) * problem.initial[i];
         drive += vector[i] * load[i] / std::sqrt(capacity[i]);
       }
-      const Phi decayed = phi(modes.rate[m] * t);
+      const auto decayed = phi(Real(modes.rate[m] * t));
       const Real now = decayed.decay * start + t * decayed.one * drive;
       for (std::size_t i = 0; i < n; ++i) y[i] += vector[i] * now;
     }

@@ -33,6 +33,12 @@ struct SpanPair {
   std::string how;
 };
 [[nodiscard]] std::vector<SpanPair> compare_spans(const StatedScene& stated, const Truth& truth);
+/// Are the bounds that methods state above their errors? Linear scenes with one field, held against sixty
+/// digits; how many bounds are not.
+[[nodiscard]] std::size_t print_bounds_audit(std::ostream& out, const SeedRange& seeds,
+                                             const SceneWishes& wishes, const std::vector<Contender>& methods,
+                                             const std::vector<double>& rtols, bool list);
+
 void print_span_audit(std::ostream& out, const SeedRange& seeds, const SceneWishes& wishes, bool list);
 
 }  // namespace superstep::audit

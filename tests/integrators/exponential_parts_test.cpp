@@ -70,8 +70,12 @@ TEST(TridiagonalResponse, IsExactForAllTimesAndRates) {
     const auto responses = tridiagonal_responses(alpha, beta, times);
     for (std::size_t k = 0; k < times.size(); ++k) {
       const double t = times[k], rate = alpha[0];
-      const double value = rate > 0 ? -std::expm1(-rate * t) / rate : t;
-      EXPECT_NEAR(responses[k].value[0], value, 1e-11 * value) << rate << ' ' << t;  // as stated
+      const double value = rate > 0 ? -std::expm1(-rate * t) / rate : t, x = rate * t;
+      const double integral =
+          x < 1e-3 ? t * t / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5))) : (t - value) / rate;
+      EXPECT_NEAR(responses[k].value[0], value, response_error * t) << rate << ' ' << t;
+      EXPECT_NEAR(responses[k].integral[0], integral, 1e-12 * integral + response_error * t * t / 2)
+          << rate << ' ' << t;
       EXPECT_EQ(responses[k].value[1], 0);
     }
     std::swap(alpha[0], alpha[first]);

@@ -85,7 +85,7 @@ TEST(ResultsCsv, TheHeaderIsTheContract) {
       "overshoot,balance,"
       "decay_rate,decay_r2,reference,reference_error,error_as_published,decay_rate_as_published,"
       "decay_r2_as_published,span,delivered,distance_to_cvode,cpu_prepare_s,speedup_prepared,cpu_pilot_s,"
-      "error_bound,cpu_verify_s,processes,instructions");
+      "error_bound,cpu_verify_s,processes,instructions,rounding_bound");
 }
 
 TEST(ResultsCsv, NumbersArePlainAndWhatIsNotMeasuredIsEmpty) {
@@ -93,7 +93,7 @@ TEST(ResultsCsv, NumbersArePlainAndWhatIsNotMeasuredIsEmpty) {
   EXPECT_EQ(
       line(results_csv({&one, 1}), 1),
       "rod,sts,\"n=5,nu=0.05\",ok,,20,19,0.001,3,1,2,1,1.25,2,4,,7,0,35,0,0,0,5,12.5,1e-05,1e-10,,,0,,,,"
-      "cvode:rtol=1e-9,2e-09,0.0025,,,,,,,,,,,1,");
+      "cvode:rtol=1e-9,2e-09,0.0025,,,,,,,,,,,1,,");
 }
 
 TEST(ResultsCsv, TextIsQuoted) {
@@ -101,7 +101,7 @@ TEST(ResultsCsv, TextIsQuoted) {
   EXPECT_EQ(line(results_csv({&one, 1}), 2),
             "rod,forward-euler,,unstable,\"at t = 3 s the \"\"temperature\"\" grows, take a smaller "
             "step\",0,0,0.001,0,1,"
-            ",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,1,");
+            ",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,1,,");
   EXPECT_EQ(csv_cell("two\nlines"), "\"two\nlines\"");
 }
 
@@ -118,8 +118,9 @@ TEST(ResultsCsv, TwoFieldsAddTwinsAtTheEnd) {
       "reference_error_potential,error_as_published,decay_rate_as_published,decay_r2_as_published,"
       "span,delivered,distance_to_cvode,error_as_published_potential,decay_rate_as_published_potential,"
       "decay_r2_as_published_potential,span_potential,delivered_potential,distance_to_cvode_potential,"
-      "cpu_prepare_s,speedup_prepared,cpu_pilot_s,error_bound,cpu_verify_s,processes,instructions"));
-  EXPECT_TRUE(line(csv, 1).ends_with(",2e-09,,0.125,,,,,,,,0.0025,,,,,,,0.5,,,,,,,,,,1,"));
+      "cpu_prepare_s,speedup_prepared,cpu_pilot_s,error_bound,cpu_verify_s,processes,instructions,rounding_"
+      "bound"));
+  EXPECT_TRUE(line(csv, 1).ends_with(",2e-09,,0.125,,,,,,,,0.0025,,,,,,,0.5,,,,,,,,,,1,,"));
 }
 
 TEST(ResultsJson, HoldsTheColumnsTheSpreadAndNulls) {

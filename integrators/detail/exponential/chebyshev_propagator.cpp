@@ -81,11 +81,13 @@ Outcome ChebyshevPropagator::propagate(std::span<Output> outputs) {
   }
   if (radius_ == 0) return no_exchange(outputs);
   count_terms(terms_);
-  add_bound(tolerance_ * rms_over_weighted());
+  // Rates are rounded, too, which acts for the whole time on what is at most a span.
+  const double of_rates = std::numeric_limits<double>::epsilon() * radius_ * outputs.back().elapsed;
+  add_bound(tolerance_ * rms_over_weighted(), of_rates * rms_over_weighted());
   const double rounding = rounding_of_terms(1 + magnitude(), scale);
   constexpr double never_mind = 1e-11;  // of a whole run
   if (rounding > std::max(tolerance_, never_mind * share_of_run())) return expand_change();
-  add_bound(rounding);
+  add_bound(0, rounding);
   return expand_state();
 }
 
@@ -202,7 +204,7 @@ Outcome ChebyshevPropagator::expand_change() {
   }
   const double stored =
       std::numeric_limits<double>::epsilon() * magnitude();  // with what all nodes have in common
-  add_bound(*std::max_element(rounding.begin(), rounding.end()) + stored);
+  add_bound(0, *std::max_element(rounding.begin(), rounding.end()) + stored);
   for (auto& output : outputs_) {
     for_each_entry(output.state.size(), [&](std::size_t i) { output.state[i] += origin()[i]; });
     for (std::size_t p = 0; p < plan().probes.size(); ++p) output.probes[p] += origin()[plan().probes[p]];

@@ -37,7 +37,7 @@ class DrivenLanczosPropagator final : public InstantBatch {
     InputShape shape;
     double inflow_rate = 0;                   ///< W or A for a unit
     LanczosSpace::Input size{};               ///< of its change since the start, up to the end of the run
-    double reported = 0;                      ///< bound of its error that has been counted [K or V]
+    Bounds reported{};                        ///< of its error, as counted
     std::vector<TridiagonalInput> changes{};  ///< as seen from the instant that is looked at
   };
   /// The changes of an input before the time `t` [s], the last one first.
@@ -46,7 +46,13 @@ class DrivenLanczosPropagator final : public InstantBatch {
   /// How large an input gets, and how far it goes up and down in all, until the end of the run.
   [[nodiscard]] LanczosSpace::Input size_of(const Input& input) const;
   void add_responses(Input& input, std::span<Output> outputs);
-  void report(Input& input, double elapsed, double integral, double factors);
+  /// The largest sums of the small solution over some instants, by which roundings are multiplied.
+  struct SmallSolution {
+    double integral = 0;  ///< of all its entries over time [s]: each product rounds by some epsilons of rho
+    double factors = 0;   ///< of unit vectors: kept vectors are rounded [K or V]
+    double changed = 0;   ///< of what each change of the input adds [s]: it is rounded itself
+  };
+  void report(Input& input, double elapsed, const SmallSolution& largest);
 
   double memory_;
   LanczosSpace::Recent recent_;

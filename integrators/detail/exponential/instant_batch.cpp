@@ -52,6 +52,17 @@ void InstantBatch::begin(double t, double /*end*/, std::span<const double> y,
   start_over();
 }
 
+void InstantBatch::add_growth(const Bounds& now, Bounds& before) noexcept {
+  if (!(now.truncation + now.rounding < span_)) return give_up_bound();
+  const auto growth = [&](double Bounds::*part) {
+    const double more = std::max(now.*part - before.*part, 0.0);
+    before.*part += more;
+    return more / span_;
+  };
+  const double truncation = growth(&Bounds::truncation);
+  add_bound(truncation, growth(&Bounds::rounding));
+}
+
 double InstantBatch::dot(std::span<const double> a, std::span<const double> b) const {
   return rhs_->reduction().sum([c = rhs_->capacities().data(), x = a.data(), y = b.data()](std::size_t i) {
     return c[i] * x[i] * y[i];
@@ -121,7 +132,9 @@ void InstantBatch::add_counts(Statistics& statistics) const {
   statistics.steps += batches_;
   statistics.max_stages = std::max(statistics.max_stages, most_terms_);
   statistics.inflow += inflow_;
-  if (bounded_) statistics.error_bound += bound_;
+  if (!bounded_) return;
+  statistics.error_bound += bound_;
+  statistics.rounding_bound += rounding_;
 }
 
 }  // namespace superstep

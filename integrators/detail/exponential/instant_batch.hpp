@@ -22,7 +22,9 @@ class InstantBatch : public Propagator {
   [[nodiscard]] double time() const noexcept final { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept final { return current_; }
   void record(ProbeHistory& history) final;
-  void reset_counts() override { batches_ = 0, most_terms_ = 0, inflow_ = bound_ = 0, bounded_ = true; }
+  void reset_counts() override {
+    batches_ = 0, most_terms_ = 0, inflow_ = bound_ = rounding_ = 0, bounded_ = true;
+  }
   void add_counts(Statistics& statistics) const override;
 
  protected:
@@ -62,8 +64,18 @@ class InstantBatch : public Propagator {
   void count_terms(std::size_t terms) noexcept {
     most_terms_ = std::max(most_terms_, static_cast<int>(terms));
   }
-  /// Adds to the bound of the run's error, in spans.
-  void add_bound(double bound) noexcept { bound_ += bound; }
+  /// Adds to the bound of the run's error, in spans: what the method leaves out, and what is rounded.
+  void add_bound(double truncation, double rounding) noexcept {
+    bound_ += truncation + rounding;
+    rounding_ += rounding;
+  }
+  /// Bounds of the error that a space has at its instants [K or V].
+  struct Bounds {
+    double truncation = 0, rounding = 0;
+  };
+  /// Adds what `now` exceeds `before` by, which becomes `now`; says that there is no bound where it says
+  /// nothing.
+  void add_growth(const Bounds& now, Bounds& before) noexcept;
   /// Says that there is none.
   void give_up_bound() noexcept { bounded_ = false; }
 
@@ -89,7 +101,8 @@ class InstantBatch : public Propagator {
   std::span<const double> current_;
   std::size_t batch_begin_ = 0, batch_size_ = 0, recorded_ = 0, reached_ = 0;
   double t_ = 0, t_batch_ = 0, span_ = 0, allowed_ = 0, inflow_before_ = 0, inflow_ = 0;
-  double rms_over_weighted_ = 1, norm_of_one_ = 1, magnitude_ = 0, bound_ = 0, part_allowed_ = 0;
+  double rms_over_weighted_ = 1, norm_of_one_ = 1, magnitude_ = 0, bound_ = 0, rounding_ = 0,
+         part_allowed_ = 0;
   double share_of_run_ = 1;
   std::uint64_t batches_ = 0;
   int most_terms_ = 0;

@@ -42,7 +42,7 @@ void LanczosPropagator::start_over() {
 
 void LanczosPropagator::open_space() {
   open_ = true;
-  reported_ = 0;
+  reported_ = {};
   const double t = now() + offset_;
   space_->open(stretch() - offset_, plan().track_inflow,
                [&](std::span<double> first) { rhs()(t, start_, first); });
@@ -62,12 +62,15 @@ double LanczosPropagator::time_covered(double longest) const {
 
 /// Coefficients of unit vectors without those at the end that add less than a thousandth of the tolerance:
 /// early instants need fewer vectors than the last one.
-std::vector<double> LanczosPropagator::significant(std::vector<double> coefficients) const {
+///   dropped  becomes at least what they add [K or V, rms]
+std::vector<double> LanczosPropagator::significant(std::vector<double> coefficients, double& dropped) const {
   constexpr double insignificant = 1e-3;
   double square = 0;
   while (!coefficients.empty()) {
     square += coefficients.back() * coefficients.back();
-    if (space_->length() * std::sqrt(square) * rms_over_norm() > insignificant * allowed()) break;
+    const double all = space_->length() * std::sqrt(square) * rms_over_norm();
+    if (all > insignificant * allowed()) break;
+    dropped = std::max(dropped, all);
     coefficients.pop_back();
   }
   return coefficients;
@@ -81,20 +84,21 @@ void LanczosPropagator::evaluate(std::span<Output> outputs) {
   auto responses = tridiagonal_responses(space_->alpha(), space_->beta().first(m > 0 ? m - 1 : 0), times);
   std::vector<std::vector<double>> factors;
   std::vector<std::span<double>> states;
+  double dropped = 0;
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     Output& output = outputs[k];
     output.inflow = start_inflow_ + times[k] * rate_of_inflow_;
     for (std::size_t j = 0; j < space_->inflow().size(); ++j)
       output.inflow += space_->length() * responses[k].integral[j] * space_->inflow()[j];
-    factors.push_back(significant(std::move(responses[k].value)));
+    factors.push_back(significant(std::move(responses[k].value), dropped));
     for (double& factor : factors[k]) factor *= space_->length();
     for (std::size_t p = 0; p < plan().probes.size(); ++p)
       output.probes[p] = start_[plan().probes[p]] + space_->entry(plan().probes[p], factors[k]);
     std::copy_n(start_.begin(), output.state.size(), output.state.begin());
     states.push_back(output.state);
   }
-  // Each product rounds by some epsilons of rho, which then act as the residual does; kept vectors are
-  // rounded.
+  // Each product rounds by some epsilons of rho, which then act as the residual does; kept vectors and the
+  // small solution are rounded.
   double sum = 0, kept = 0;
   for (const double integral : responses.back().integral) sum += std::abs(integral);
   for (const auto& of_output : factors) {
@@ -103,13 +107,13 @@ void LanczosPropagator::evaluate(std::span<Output> outputs) {
     kept = std::max(kept, all * space_->rounding());
   }
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
-  const double rounding =
-      (roundings * rhs().spectral_bound(now(), start_) * space_->length() * sum + kept) * rms_over_norm();
+  const double rounding = (space_->length() * (roundings * rhs().spectral_bound(now(), start_) * sum +
+                                               response_error * times.back()) +
+                           kept) *
+                          rms_over_norm();
   space_->add_to(states, std::move(factors));
   const double stored = std::numeric_limits<double>::epsilon() * magnitude() * span();
-  const double reached = bound_at(times.back()) + rounding + stored;
-  if (!(reached < span())) return give_up_bound();
-  if (reached > reported_) add_bound((reached - std::exchange(reported_, reached)) / span());
+  add_growth({bound_at(times.back()) + dropped, rounding + stored}, reported_);
 }
 
 /// A new space from a time [s since the origin] that this one covers.

@@ -38,7 +38,7 @@ class LanczosPropagator final : public InstantBatch {
     return space_->estimate_at(elapsed, {}) * space_->rms_over_norm(rms_over_norm());
   }
   [[nodiscard]] double time_covered(double longest) const;
-  [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients) const;
+  [[nodiscard]] std::vector<double> significant(std::vector<double> coefficients, double& dropped) const;
   void evaluate(std::span<Output> outputs);
   [[nodiscard]] Outcome grow(double elapsed);
   [[nodiscard]] Outcome restart_at(double covered, double error);
@@ -51,7 +51,7 @@ class LanczosPropagator final : public InstantBatch {
   double offset_ = 0;          ///< its time since the origin [s]
   double start_inflow_ = 0;    ///< since the origin [J or C]
   double rate_of_inflow_ = 0;  ///< at the start of the space
-  double reported_ = 0;        ///< of its error, as a bound [K or V]
+  Bounds reported_;            ///< of its error
   double unspent_ = 0;         ///< of the allowed error [K or V]
   bool open_ = false, covered_ = false;
 };

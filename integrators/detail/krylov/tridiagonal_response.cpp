@@ -10,11 +10,12 @@ namespace {
 using Complex = std::complex<double>;
 
 /// z(x) = size (1 + sin(ix - angle)), x = k * step for k = 0 ... points, the lower half by symmetry. With
-/// size * t at most 5 no term exceeds e^1.3, so that rounding does not grow. The step makes the rule exact to
-/// e^-34.5 = 1e-15: 2 pi (pi/2 - angle)/step >= 34.5 on the side of the poles, 2 pi angle/step >= 34.5 + 5 on
-/// the other.
+/// size * t at most 5 no term exceeds e^2.2, so that rounding does not grow. A pole at 0 of order p costs the
+/// rule some (2 pi / step)^(p-1) of its accuracy, and a slow mode of T adds one: angle and step leave 1e-15
+/// of t^p/p! for jumps (p = 1) and kinks (p = 2) and 2e-14 for the integrals of kinks (p = 3), also at the
+/// first of times that are eight apart.
 struct Hyperbola {
-  static constexpr double accuracy = 34.5, largest = 5, angle = 0.838, step = 0.1334;
+  static constexpr double accuracy = 34.5, largest = 5, angle = 0.6, step = 0.11;
   double size = 0;  ///< 1/s
   int points = 0;
   /// For times in [first, last]: until e^(zt) has fallen to 1e-15 at the first.

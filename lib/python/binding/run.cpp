@@ -59,6 +59,7 @@ py::dict statistics_of(const RunResult& run) {
   out["wall_stepping_s"] = run.wall_stepping;
   out["cpu_pilot_s"] = run.cpu_pilot;
   out["error_bound"] = error_bound_of(run);
+  out["rounding_bound"] = rounding_bound_of(run);
   out["settled_at"] = run.settled_at;
   return out;
 }

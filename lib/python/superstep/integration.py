@@ -30,8 +30,8 @@ class Result:
     t_reached: float  #: s
     spans: list[float]  #: what rtol refers to, one a field [K or V]; empty = the method takes none
     #: sweeps over the network, steps, rejected, jacobians, factorizations, solves, potential_solves, max_stages,
-    #: cpu_prepare_s, cpu_stepping_s, wall_stepping_s, cpu_pilot_s; error_bound (over the span) and settled_at (s), or
-    #: None
+    #: cpu_prepare_s, cpu_stepping_s, wall_stepping_s, cpu_pilot_s; error_bound (over the span), rounding_bound (the part
+    #: of it that is rounding) and settled_at (s), or None
     statistics: dict[str, Any]
 
     def values(self, field: str = "") -> NDArray[np.float64]:

@@ -114,6 +114,7 @@ const RecordFields<RunRecord>& fields_of<RunRecord>() {
         field("delivered", &RunRecord::delivered, "error over the tolerance asked for, as far as verified"),
         field("error_bound", &RunRecord::error_bound,
               "the method's own bound of its error over the span; null = it has none"),
+        field("rounding_bound", &RunRecord::rounding_bound, "the part of error_bound that is rounding"),
         field("spans", &RunRecord::spans, "K or V, one a field"),
         field("wall_stepping_s", &RunRecord::wall_stepping, "s"),
         field("peak_memory_mb", &RunRecord::peak_memory_mb, "1e6 bytes"),
