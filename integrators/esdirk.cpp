@@ -2,6 +2,7 @@
 /// accurate; error from an embedded result of order three.
 /// Source: Kennedy & Carpenter (2003), doi:10.1016/S0168-9274(02)00138-1, ARK4(3)6L[2]SA, implicit part.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -57,7 +58,10 @@ class Esdirk final : public OneStepMethod {
   }
   [[nodiscard]] double worth_changing() const override { return 1.2; }
   [[nodiscard]] int order() const override { return 3; }
-  [[nodiscard]] double share() const override { return 0.3; }
+  [[nodiscard]] double share() const override {
+    constexpr double tight = 1e-5, least = 0.22;
+    return std::clamp(least * std::pow(rtol_ / tight, 0.3), least, 1.0);
+  }
   [[nodiscard]] std::span<const double> slope() const override { return slope_[0]; }
   void restart(double t, std::span<const double> y, bool /*smooth*/) override { (*rhs_)(t, y, slope_[0]); }
 
