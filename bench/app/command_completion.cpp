@@ -14,7 +14,8 @@ namespace {
 Command from_line(const Arguments& values) {
   if (values.json) throw UsageError("completion: prints a script; leave --json out");
   if (values.cases.empty()) throw UsageError("completion: the shell is missing: bash, zsh or fish");
-  return CompletionCommand{.common = common_options(values), .shell = single_case(values, "completion")};
+  return CompletionCommand{.common = common_options(values),
+                           .shell = single_case(values, "completion", "the name of a shell")};
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace superstep {
 namespace {
 
 Command from_line(const Arguments& values) {
-  return InfoCommand{common_options(values), single_case(values, "info"), file_options_of(values),
-                     values.matrix};
+  return InfoCommand{common_options(values), single_case(values, "info", "a case, packing or network file"),
+                     file_options_of(values), values.matrix};
 }
 
 int info(const InfoCommand& command, const Scene& scene) {

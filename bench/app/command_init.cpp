@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 Command from_line(const Arguments& values) {
   if (values.json) throw UsageError("init: writes a case and prints nothing; leave --json out");
   InitCommand command{.common = common_options(values),
-                      .packing_file = single_case(values, "init"),
+                      .packing_file = single_case(values, "init", "a packing file"),
                       .case_file = values.file,
                       .file = file_options_of(values)};
   if (command.case_file.empty()) throw UsageError("init: -o FILE is missing; see superstep init --help");

@@ -36,7 +36,7 @@ Command from_line(const Arguments& values) {
   if (values.markdown && values.json)
     throw UsageError("report: --markdown and --json both want stdout; choose one");
   return ReportCommand{.common = common_options(values),
-                       .folder = single_case(values, "report"),
+                       .folder = single_case(values, "report", "a folder of results"),
                        .markdown = values.markdown,
                        .against = values.against};
 }

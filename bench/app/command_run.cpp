@@ -72,8 +72,11 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const MethodSp
   return run;
 }
 
-/// What is known of the error: what `--verify` found, else the bound of a method that has one.
-std::string error_text(const Scene& scene, const RunResult& run, const std::optional<RunCheck>& check) {
+/// What is known of the error: what `--verify` found, else the bound of a method that has one. One that is
+/// above the tolerance does not prove that this was kept.
+///   rtol  of the method; 0 = it takes none
+std::string error_text(const Scene& scene, double rtol, const RunResult& run,
+                       const std::optional<RunCheck>& check) {
   if (check && !check->outcome.ok())
     return fmt::format(" (not verified: {}: {})", check->spec, check->outcome.reason);
   std::string out;
@@ -84,18 +87,22 @@ std::string error_text(const Scene& scene, const RunResult& run, const std::opti
     if (check->delivered[f]) out += fmt::format(", {:.2g} of the tolerance", *check->delivered[f]);
   }
   if (check) return out + ")";
-  if (run.statistics.error_bound > 0)
-    return fmt::format(" (proven: its error is below {:.1e} of the span)", run.statistics.error_bound);
+  const double bound = run.statistics.error_bound;
+  constexpr double far = 2;  // a bound is larger than the error
+  if (bound > 0 && rtol > 0 && bound > far * rtol)
+    return fmt::format(" (not verified; proven: its error is at most {:.1e} of the span)", bound);
+  if (bound > 0) return fmt::format(" (proven: its error is below {:.1e} of the span)", bound);
   return " (not verified)";
 }
 
-std::string summary(const Scene& scene, const std::string& spec, const RunResult& run,
+std::string summary(const Scene& scene, const MethodSpec& method, const RunResult& run,
                     const std::optional<RunCheck>& check, const std::string& folder) {
+  const std::string& spec = method.text();
   if (!run.outcome.ok())
     return fmt::format("{}: {}: {}\n", spec, status_name(run.outcome.status), run.outcome.reason);
   const std::string choice = run.choice.empty() ? "" : fmt::format("  {}\n", run.choice);
   return fmt::format("{}: ok{}, {} steps, {} sweeps, {:.3g} s CPU; {}\n{}", spec,
-                     error_text(scene, run, check), run.statistics.steps, run.sweeps,
+                     error_text(scene, method.rtol(), run, check), run.statistics.steps, run.sweeps,
                      run.cpu_pilot + run.cpu_prepare + run.cpu_stepping, folder, choice);
 }
 
@@ -149,7 +156,7 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
     if (command.common.json)
       print_data(json);
     else if (!quiet || !run.result.outcome.ok())
-      print_data(summary(scene, specs[k].text(), run.result, run.check, folders[k]));
+      print_data(summary(scene, specs[k], run.result, run.check, folders[k]));
     all_ok = all_ok && run.result.outcome.ok();
   }
   if (stop_flag()) return interrupted_exit_code;

@@ -37,6 +37,7 @@ struct RunResult {
   Statistics statistics;
   std::uint64_t sweeps = 0, jacobians = 0;  ///< of the right-hand side, preparation included
   std::uint64_t potential_solves = 0;       ///< steady potentials solved for while integrating
+  RhsCounters pilot_work;                   ///< of the run that found the spans
   std::optional<double> settled_at;         ///< s, when the potential stopped being stepped
   std::vector<double> spans;                ///< [fields] that tolerances referred to; empty: nobody asked
   double cpu_pilot = 0;                     ///< s, of the pilot run that found them

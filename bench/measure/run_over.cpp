@@ -73,7 +73,9 @@ Outcome run_through(RunSite& site, Integrator& method, RunResult& result) {
     pilot.history = nullptr;
     pilot.most_sweeps = 0;
     pilot.reached = nullptr;
+    const RhsCounters before = site.rhs.counters();
     plan.spans = find_spans(site.rhs, pilot, plan.t_begin, site.initial).spans;
+    result.pilot_work = difference(site.rhs.counters(), before);
   }
   result.spans = plan.spans;
   {
@@ -113,10 +115,10 @@ Outcome run_over(RunSite& site, Integrator& method, RunResult& result) {
 }
 
 void count_work(const RhsCounters& before, const Rhs& rhs, RunResult& result) {
-  const RhsCounters& after = rhs.counters();
-  result.sweeps = after.sweeps - before.sweeps;
-  result.jacobians = after.jacobians - before.jacobians;
-  result.potential_solves = after.potential_solves - before.potential_solves;
+  const RhsCounters work = difference(difference(rhs.counters(), before), result.pilot_work);
+  result.sweeps = work.sweeps;
+  result.jacobians = work.jacobians;
+  result.potential_solves = work.potential_solves;
 }
 
 void take_facts(const Integrator& method, RunResult& result) {

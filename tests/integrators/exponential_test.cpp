@@ -197,6 +197,49 @@ TEST(Exponential, TakesAllKnotsOfAnInputAtOnce) {
   }
 }
 
+/// A ramp of a rounding's width is a step, and a needle is its area: as kinks they are differences of huge
+/// numbers.
+TEST(Exponential, TakesRampsThatAreNearlySteps) {
+  constexpr double span = 20;
+  for (const double width : {1e-16, 1e-10, 1e-7, 1e-4, 1e-2}) {
+    Graph graph = random_graph({.nodes = 60, .seed = 4, .contrast = 100, .fixed = 2});
+    graph.tables = {
+        {.time = {0.5, std::nextafter(0.5, 1) + width, 1.0, 1.0 + width}, .value = {0, 20, 20, 0}}};
+    graph.tabled_sources = {{.node = 3, .table = 0}};
+    if (width > 1e-12) {  // what a needle of less holds, the roundings of its instants decide
+      graph.tables.push_back({.time = {0.3, 0.3 + width, 0.3 + 2 * width}, .value = {0, 3 / width, 0}});
+      graph.tabled_sources.push_back({.node = 40, .table = 1});
+    }
+    Problem problem(graph);
+    const std::vector<double> times{0.3 + 3 * width, 0.7, 1.5, 6};
+    const auto states = [&](const std::string& spec, double& rounding) {
+      Plan plan = problem.plan(times);
+      plan.spans = {span};
+      const auto integrator = make_integrator(spec);
+      integrator->prepare(*problem.rhs, plan);
+      integrator->start(0, problem.initial);
+      std::vector<std::vector<double>> out;
+      for (const double t : times) {
+        EXPECT_TRUE(integrator->advance(t).ok()) << spec;
+        out.emplace_back(integrator->state().begin(), integrator->state().end());
+      }
+      rounding = integrator->statistics().rounding_bound;
+      return out;
+    };
+    double rounding = 0;
+    const auto exact = states("exponential:basis=chebyshev,rtol=1e-13", rounding);
+    for (const double rtol : {1e-4, 1e-7}) {
+      const auto found = states(fmt::format("exponential:basis=lanczos,rtol={:g}", rtol), rounding);
+      for (std::size_t k = 0; k < times.size(); ++k)
+        EXPECT_LT(test::rms_difference(found[k], exact[k]), span * (rtol + rounding))
+            << width << ' ' << rtol << ' ' << times[k];
+    }
+    if (width < 1e-12) {
+      EXPECT_LT(rounding, 1e-12) << width;
+    }
+  }
+}
+
 TEST(Exponential, ProbesNeedNoStates) {
   Problem problem(test::chain(200, 0.0, 1.0));
   ProbeHistory history(2);

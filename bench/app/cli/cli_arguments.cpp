@@ -161,6 +161,8 @@ bool is_option(const std::string& word) {
 /// The parser would take the option that follows for the value.
 void require_values(const CLI::App& command, const std::vector<std::string>& line) {
   for (std::size_t k = 0; k < line.size(); ++k) {
+    if (line[k].starts_with("--") && line[k].ends_with('='))
+      throw UsageError(fmt::format("{} is followed by nothing; give it a value", line[k]));
     if (!is_option(line[k]) || (k + 1 < line.size() && !is_option(line[k + 1]))) continue;
     const auto* option = command.get_option_no_throw(line[k]);
     if (option && option->get_items_expected_min() > 0)

@@ -90,9 +90,9 @@ CommonOptions common_options(const Arguments& values) {
           .color = parse_color_mode(values.color)};
 }
 
-const std::string& single_case(const Arguments& values, const std::string& command) {
+const std::string& single_case(const Arguments& values, const std::string& command, const char* what) {
   if (values.cases.empty())
-    throw UsageError(fmt::format("{0}: a case file is missing; see superstep {0} --help", command));
+    throw UsageError(fmt::format("{0}: {1} is missing; see superstep {0} --help", command, what));
   if (values.cases.size() > 1)
     throw UsageError(fmt::format("{0}: unexpected argument {1}; see superstep {0} --help", command,
                                  in_quotes(values.cases[1])));

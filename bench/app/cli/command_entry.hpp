@@ -85,6 +85,7 @@ void refuse_for_moving(const std::string& command, std::span<const GivenOption> 
 [[nodiscard]] CommonOptions common_options(const Arguments& values);
 
 /// The one positional argument of a command. Throws UsageError when there is none, or another.
-[[nodiscard]] const std::string& single_case(const Arguments& values, const std::string& command);
+[[nodiscard]] const std::string& single_case(const Arguments& values, const std::string& command,
+                                             const char* what = "a case file");
 
 }  // namespace superstep

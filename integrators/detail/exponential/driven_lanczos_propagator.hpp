@@ -42,6 +42,9 @@ class DrivenLanczosPropagator final : public InstantBatch {
   };
   /// The changes of an input before the time `t` [s], the last one first.
   void look_back(Input& input, double t) const;
+  /// True where a line of the table is better seen as two steps.
+  [[nodiscard]] bool acts_as_steps(const Input& input, double slope, double since_begin,
+                                   double since_end) const;
   [[nodiscard]] Outcome grow(Input& input);
   /// How large an input gets, and how far it goes up and down in all, until the end of the run.
   [[nodiscard]] LanczosSpace::Input size_of(const Input& input) const;

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "case/inputs/named_column.hpp"
 #include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
+#include "core/text/text_file.hpp"
 
 namespace superstep {
 namespace {
@@ -33,14 +37,45 @@ void require_ascending(const std::vector<double>& time, Reject reject) {
   }
 }
 
+/// Two instants that differ by roundings are one: k * period and the sum of what came before it, for example.
+bool is_same_instant(double a, double b) {
+  constexpr double roundings = 8;
+  return std::abs(a - b) <=
+         roundings * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+}
+void join_same_instants(std::vector<double>& time) {
+  for (std::size_t k = 1; k < time.size(); ++k)
+    if (is_same_instant(time[k], time[k - 1])) time[k] = time[k - 1];
+}
+
 TimeTable read_lists(TomlTable& table) {
   const auto times = table.require("times", "it lists instants, ascending [s]; or give a file");
   const auto values = table.require("values", "it lists the value at each instant");
   TimeTable out{times.numbers(), values.numbers()};
   if (out.time.empty()) times.reject("a table needs at least one instant");
   if (out.value.size() != out.time.size()) values.reject("there must be as many values as times");
+  join_same_instants(out.time);
   require_ascending(out.time, [&](std::size_t, const std::string& rule) { times.reject(rule); });
   return out;
+}
+
+/// The unit in brackets at the end of a column's name, as in "P [mW]"; empty = it states none.
+std::string stated_unit(const std::string& name) {
+  const std::string_view text = trimmed(name);
+  if (text.empty() || (text.back() != ']' && text.back() != ')')) return {};
+  const std::size_t open = text.find_last_of("[(");
+  if (open == std::string_view::npos) return {};
+  return std::string(trimmed(text.substr(open + 1, text.size() - open - 2)));
+}
+
+/// Tables of time are in SI units: a column that says otherwise is not read as if it did not.
+void require_unit(const DelimitedTable& rows, std::size_t column,
+                  std::initializer_list<std::string_view> known, const char* way_out) {
+  if (rows.names().empty()) return;
+  const std::string unit = stated_unit(rows.names()[column]);
+  if (unit.empty() || std::find(known.begin(), known.end(), unit) != known.end()) return;
+  throw InputError(
+      fmt::format("{}: column '{}' is in {}; {}", rows.where(), rows.names()[column], unit, way_out));
 }
 
 TimeTable read_profile(TomlTable& table, const TomlValue& file) {
@@ -53,6 +88,10 @@ TimeTable read_profile(TomlTable& table, const TomlValue& file) {
                         stated ? std::nullopt : std::optional(fallback));
   };
   const std::size_t time = column("time", 0), value = column("value", 1);
+  require_unit(rows, time, {"s", "sec", "second", "seconds"}, "times must be in s");
+  if (!table.find("scale"))
+    require_unit(rows, value, {"K", "C", "degC", "°C", "V", "W", "A", "-", "1"},
+                 "values must be in K, V, W or A; or give scale, by which they are multiplied");
   TimeTable out;
   std::vector<std::size_t> line;
   while (rows.next()) {
@@ -62,6 +101,7 @@ TimeTable read_profile(TomlTable& table, const TomlValue& file) {
   }
   if (out.time.empty())
     throw InputError(fmt::format("{}: has no rows; a profile needs at least one instant", path));
+  join_same_instants(out.time);
   require_ascending(out.time, [&](std::size_t k, const std::string& rule) {
     throw InputError(fmt::format("{}:{}: {}", path, line[k], rule));
   });
@@ -74,7 +114,7 @@ TimeTable repeated(const TimeTable& once, const TomlValue& period, double t_end)
   constexpr double most_knots = 5e6;
   const double length = period.number(), own = once.time.back() - once.time.front();
   if (!(length > 0)) period.reject("it must be > 0 [s]");
-  if (own > length)
+  if (own > length && !is_same_instant(once.time.front() + length, once.time.back()))
     period.reject(fmt::format("the profile is {} s long, and must not be longer than its period", own));
   const double first = std::floor((0 - once.time.front()) / length),
                last = std::ceil((t_end - once.time.front()) / length);
@@ -91,9 +131,10 @@ TimeTable repeated(const TimeTable& once, const TomlValue& period, double t_end)
   TimeTable out;
   for (auto turn = static_cast<std::int64_t>(first); turn <= static_cast<std::int64_t>(last); ++turn)
     for (std::size_t k = 0; k < once.time.size(); ++k) {
-      // What comes later has been rounded more: it must not fall behind what is there.
+      // Where a period ends and the next begins is one instant, however it is rounded.
       double at = once.time[k] + static_cast<double>(turn) * length;
-      if (!out.time.empty()) at = std::max(at, out.time.back());
+      if (!out.time.empty() && (at < out.time.back() || is_same_instant(at, out.time.back())))
+        at = out.time.back();
       const std::size_t n = out.time.size();
       if (n >= 2 && out.time[n - 1] == at && out.time[n - 2] == at) {
         out.value[n - 1] =

@@ -85,7 +85,10 @@ void KeyList::amount(const std::string& name, const std::string& unit, const std
   text(name + ".time", "file: its column of instants [s]").fallback = "time";
   text(name + ".value", "file: its column of values").fallback = "value";
   number(name + ".scale", any_number, "", "multiplies the values").fallback = "1";
-  number(name + ".period", positive_number, "s", "after which the table repeats").fallback = "it does not";
+  number(
+      name + ".period", positive_number, "s",
+      "after which the table repeats; a shorter table is closed by a line from its last value to its first")
+      .fallback = "it does not";
   text(name + ".outside", "what holds before and after the table", {"clamp", "zero", "error"}).fallback =
       "clamp";
 }

@@ -130,10 +130,12 @@ void read_source(TomlTable& network, double t_end, Graph& graph) {
 void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, Graph& graph) {
   if (pores == nullptr) read_vector(network, "capacity", graph.id, graph.capacity);
   for (std::size_t k = 0; k < graph.nodes(); ++k)
-    if (!(graph.capacity[k] >= 0))
-      network.require("capacity", "")
-          .reject(fmt::format("the capacity of node {} is {}; it must be >= 0 (J/K or F)", graph.id[k],
-                              graph.capacity[k]));
+    if (!(graph.capacity[k] >= 0)) {
+      const std::string rule = fmt::format("the capacity of node {} is {}; it must be >= 0 (J/K or F)",
+                                           graph.id[k], graph.capacity[k]);
+      if (const auto stated = network.find("capacity")) stated->reject(rule);
+      throw InputError(fmt::format("{}: {}", network.where(), rule));  // an array
+    }
   read_source(network, t_end, graph);
   const auto initial = network.find("initial");
   if (initial && initial->is_string())

@@ -59,8 +59,27 @@ std::vector<Neck> read_necks(const std::string& path, const PackingScene& scene)
   return necks;
 }
 
-std::vector<Neck> necks_of(const TomlValue& file, const PackingScene& scene) {
-  return read_named_file(file, [&](const auto& path) { return read_necks(path, scene); });
+/// Radii as they are; but where one is wider than its particles, a unit may be wrong, or it is a diameter.
+void warn_of_wide_necks(const std::string& file, const std::vector<Neck>& necks, PackingScene& scene) {
+  constexpr double rounding = 1e-6;  // of what was written with few digits
+  const auto radius = [&](std::int32_t k) { return scene.packing.radius[static_cast<std::size_t>(k)]; };
+  const auto wide = [&](const Neck& neck) {
+    return neck.radius > (1 + rounding) * std::min(radius(neck.i), radius(neck.j));
+  };
+  const auto first = std::find_if(necks.begin(), necks.end(), wide);
+  if (first == necks.end()) return;
+  scene.packing.warnings.push_back(fmt::format(
+      "{} of {} necks of {} are wider than their smaller particle, the first in line {}: {:.4g} beside a "
+      "radius of "
+      "{:.4g} [length_unit]; are they radii, and in the unit of lengths of the case?",
+      std::count_if(necks.begin(), necks.end(), wide), necks.size(), file, first->line,
+      first->radius / scene.length_unit, std::min(radius(first->i), radius(first->j)) / scene.length_unit));
+}
+
+std::vector<Neck> necks_of(const TomlValue& file, PackingScene& scene) {
+  auto necks = read_named_file(file, [&](const auto& path) { return read_necks(path, scene); });
+  warn_of_wide_necks(file.string(), necks, scene);
+  return necks;
 }
 
 /// The image of j nearest to i, in a periodic cell. Exact where the cell is not much tilted: the images next

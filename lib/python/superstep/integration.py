@@ -83,6 +83,8 @@ def integrate(
     if on_output is not None and not callable(on_output):
         raise TypeError(f"on_output must be a function of t and y; it is {on_output!r}")
     rtol = None if rtol is None else float(rtol)
+    if not time_limit >= 0:
+        raise _core.InputError(f"time_limit is {time_limit!r}; it must be seconds, or 0 for none")
     out = _core.run(scene._core, method, rtol, _times(scene, t_end, output_times), on_output, threads, time_limit)
     result = Result(scene=scene, **out)
     if result.status != "ok":
