@@ -13,7 +13,7 @@
 namespace superstep {
 namespace {
 
-using Cell = HtmlTable::Cell;
+using ResultCell = HtmlTable::Cell;
 using Header = HtmlTable::Header;
 
 std::string summary_words(const BenchCase& one) {
@@ -55,7 +55,7 @@ std::string accuracy_table(const BenchCase& one) {
   return table.empty() ? "" : table.html();
 }
 
-Cell error_cell(const Number& error, const Number& bar) {
+ResultCell error_cell(const Number& error, const Number& bar) {
   if (error && bar && *error < *bar)
     return {.text = "< " + number_text(*bar, 2),
             .sort_key = fmt::format("{}", *error),
@@ -93,23 +93,25 @@ std::vector<Header> headers_of(const std::vector<CaseField>& fields) {
   return headers;
 }
 
-Cell status_cell(const BenchRow& row) {
+ResultCell status_cell(const BenchRow& row) {
   return {.text = row.status, .kind = row.ok() ? "good" : "bad", .hint = row.reason};
 }
 
-std::vector<Cell> cells_of(const BenchRow& row, const BenchCase& one, const std::vector<CaseField>& fields) {
+std::vector<ResultCell> cells_of(const BenchRow& row, const BenchCase& one,
+                                 const std::vector<CaseField>& fields) {
   const auto median = [](const std::optional<Timing>& timing) {
     return timing ? Number(timing->median) : Number();
   };
   const auto count = [](const std::optional<std::uint64_t>& value) {
-    return value ? Cell{.text = count_text(*value), .sort_key = fmt::format("{}", *value)} : Cell{};
+    return value ? ResultCell{.text = count_text(*value), .sort_key = fmt::format("{}", *value)}
+                 : ResultCell{};
   };
-  Cell spread;
+  ResultCell spread;
   if (row.cpu_stepping && row.cpu_stepping->median > 0) {
     const double share = 50 * (row.cpu_stepping->max - row.cpu_stepping->min) / row.cpu_stepping->median;
     spread = {.text = fmt::format("{:.0f} %", share), .sort_key = fmt::format("{}", share)};
   }
-  std::vector<Cell> cells = {
+  std::vector<ResultCell> cells = {
       {.text = row.spec, .kind = row.spec == one.baseline ? "strong" : "", .hint = row.choice},
       status_cell(row),
       count(row.steps),
