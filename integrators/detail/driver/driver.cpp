@@ -51,6 +51,8 @@ void Driver::prepare(Rhs& rhs, const Plan& plan) {
 
 void Driver::prepare_method(Rhs& rhs) {
   rhs_ = &rhs;
+  plan_.probes.clear();  // entries of the whole state: those of the rest are recorded here
+  if (rhs_ == whole_) plan_.probes = recorder_.entries();
   task_ = {.t_begin = plan_.t_begin,
            .t_end = plan_.output_times.back(),
            .allowed = allowed_errors(rhs),

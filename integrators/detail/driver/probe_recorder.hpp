@@ -22,6 +22,8 @@ class ProbeRecorder {
     for (std::size_t k = 0; k < probes_.size(); ++k) values_[k] = y[probes_[k]];
     history_->append(t, values_);
   }
+  /// Entries of the whole state.
+  [[nodiscard]] const std::vector<std::size_t>& entries() const noexcept { return probes_; }
 
  private:
   std::vector<std::size_t> probes_;
