@@ -64,9 +64,10 @@ struct Statistics {
   int max_stages = 0;          ///< most sweeps in one step
   double inflow = 0;           ///< heat [J] or charge [C] entered since start, when tracked
   double time_per_sweep = 0;   ///< time that one sweep of a full step covers [s]; 0 = no fixed ratio
-  double error_bound = 0;      ///< rigorous bound of the error over the span (rms); 0 = the method has none
-  double rounding_bound = 0;   ///< the part of it that is rounding
-  double error_estimate = 0;   ///< sum of the estimated local errors over the tolerance [-]; 0 = no estimate
+  /// Bound of the error over the span (rms); 0 = the method has none. What the method leaves out is proven.
+  double error_bound = 0;
+  double rounding_bound = 0;  ///< the part of it that is rounding, which is modelled
+  double error_estimate = 0;  ///< sum of the estimated local errors over the tolerance [-]; 0 = no estimate
 };
 
 /// What a method is told before a run, or before the rest of one.

@@ -73,7 +73,7 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const MethodSp
 }
 
 /// What is known of the error: what `--verify` found, else the bound of a method that has one. One that is
-/// above the tolerance does not prove that this was kept.
+/// far above the tolerance does not prove that this was kept.
 ///   rtol  of the method; 0 = it takes none
 std::string error_text(const Scene& scene, double rtol, const RunResult& run,
                        const std::optional<RunCheck>& check) {
@@ -88,7 +88,7 @@ std::string error_text(const Scene& scene, double rtol, const RunResult& run,
   }
   if (check) return out + ")";
   const double bound = run.statistics.error_bound;
-  constexpr double far = 2;  // a bound is larger than the error
+  constexpr double far = 2;  // bounds are a little larger than the tolerance that they are made for
   if (bound > 0 && rtol > 0 && bound > far * rtol)
     return fmt::format(" (not verified; proven: its error is at most {:.1e} of the span)", bound);
   if (bound > 0) return fmt::format(" (proven: its error is below {:.1e} of the span)", bound);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/app/loaded_case.hpp"
+#include "bench/harness/run_check.hpp"
 #include "bench/measure/run_one.hpp"
 #include "bench/output/run_files.hpp"
 #include "core/error.hpp"
@@ -65,6 +66,24 @@ TEST(Pilot, IsNoPartOfARunsWork) {
   EXPECT_EQ(knows.pilot_work.sweeps, 0U);
   EXPECT_EQ(finds.sweeps, knows.sweeps);
   EXPECT_EQ(finds.jacobians, knows.jacobians);
+}
+
+/// A run that is no more accurate says nothing of one.
+TEST_F(RodRun, IsCheckedOnlyByWhatIsMoreAccurate) {
+  const std::atomic<bool> stop{false};
+  Progress silent(false);
+  for (const auto& [spec, checked] : {std::pair("rkc:rtol=1e-6", true), {"rkc:rtol=1e-12", false}}) {
+    std::vector<std::vector<double>> states;
+    RunRequest request;
+    request.observe = [&](std::size_t, double, std::span<const double> state) {
+      states.emplace_back(state.begin(), state.end());
+    };
+    const RunResult result = run_one(scene_, spec, request);
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+    const RunCheck check = check_run(scene_, spec, result, states, stop, silent, {});
+    EXPECT_EQ(check.outcome.ok(), checked) << spec << ": " << check.outcome.reason;
+    EXPECT_EQ(check.delivered.empty(), !checked) << spec;
+  }
 }
 
 TEST_F(RodRun, FailureIsAnOutcome) {

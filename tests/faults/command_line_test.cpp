@@ -157,6 +157,14 @@ TEST_F(CommandLine, EveryKeyOfEveryMethodRefusesWhatItIsNot) {
   EXPECT_GT(count_, 300);
 }
 
+TEST_F(CommandLine, WhatIsMissingIsNamed) {
+  refuse({"run", case_, "--integrator="}, "--integrator= is followed by nothing");
+  refuse({"init"}, "init: a packing file is missing");
+  refuse({"info"}, "info: a case, packing or network file is missing");
+  refuse({"report"}, "report: a folder of results is missing");
+  refuse({"run"}, "run: a case file is missing");
+}
+
 TEST_F(CommandLine, OptionsThatWouldBeIgnoredAreRefused) {
   const std::string press = SUPERSTEP_SOURCE_DIR "/cases/sintering_two_particles.toml";
   const auto packing = folder_.write("p.csv", "id,x,y,z,radius\n1,0,0,0.01,0.0102\n2,0,0,0.03,0.0102\n");

@@ -82,6 +82,22 @@ TEST(TridiagonalResponse, IsExactForAllTimesAndRates) {
   }
 }
 
+/// y' + l y = t: the answer is (t - (1 - exp(-l t))/l)/l. Just after a kink as long after it.
+TEST(TridiagonalResponse, FollowsARampForAllTimesAndRates) {
+  for (double rate = 1e-6; rate < 1e12; rate *= 10)
+    for (double t = 1e-9; t < 1e3; t *= 7) {
+      const double alpha[] = {rate}, x = rate * t;
+      double exact = 0, term = t * t / 2;  // by its series where the closed form cancels
+      for (int k = 3; k < 40; ++k) exact += term, term *= -x / k;
+      if (x > 1) exact = (t + std::expm1(-x) / rate) / rate;
+      // A constant that began eight times as long ago shares the contour.
+      const TridiagonalInput inputs[] = {{.since = t, .jump = 0, .kink = 1},
+                                         {.since = 7.9 * t, .jump = 0, .kink = 0}};
+      EXPECT_NEAR(tridiagonal_response(alpha, {}, inputs).value[0], exact, response_error * t * t / 2)
+          << rate << ' ' << t;
+    }
+}
+
 TEST(ResidualBound, BoundsTheIntegralWithoutBeingFarOff) {
   // The matrix of a rod: alpha = 2, beta = 1, from the first entry on; few rows for long times and many for
   // short ones.

@@ -215,6 +215,58 @@ TEST(SettledPotential, IsNoLongerSteppedAndCostsNoAccuracy) {
   }
 }
 
+/// Passes everything on and notes how many probes each preparation was told of.
+class CountsProbes final : public Method {
+ public:
+  CountsProbes(std::unique_ptr<Method> inner, std::vector<std::size_t>& probes)
+      : inner_(std::move(inner)), probes_(&probes) {}
+  void prepare(Rhs& rhs, const Task& task) override {
+    for (const std::size_t entry : task.plan->probes) EXPECT_LT(entry, rhs.size());
+    probes_->push_back(task.plan->probes.size());
+    inner_->prepare(rhs, task);
+  }
+  [[nodiscard]] double rtol() const override { return inner_->rtol(); }
+  [[nodiscard]] OneStepMethod* one_step() override { return inner_->one_step(); }
+  [[nodiscard]] Propagator* propagator() override { return inner_->propagator(); }
+  void add_counts(Statistics& statistics) const override { inner_->add_counts(statistics); }
+  void reset_counts() override { inner_->reset_counts(); }
+
+ private:
+  std::unique_ptr<Method> inner_;
+  std::vector<std::size_t>* probes_;
+};
+
+/// What remains is a right-hand side of its own: entries of the whole state lie beyond it, and what it knows
+/// of its error says nothing of the time before.
+TEST(SettledPotential, LeavesNoProbesAndNoBoundToTheRest) {
+  for (const char* spec :
+       {"exponential:rtol=1e-5", "exponential:basis=chebyshev,rtol=1e-5", "rkc:rtol=1e-5"}) {
+    const auto rhs = Thermoelectric{.nodes = 40}.build();
+    std::vector<std::size_t> probes;
+    ProbeHistory history(1);
+    Plan plan;
+    plan.output_times = {60, 70};
+    plan.ranges = {{0, 1}, {0, 0}};
+    plan.spans = {1, 1};
+    plan.probes = {rhs->size() - 1};
+    plan.history = &history;
+    plan.settle_tolerance = 1e-9;
+    Integrator integrator(std::make_unique<CountsProbes>(make_method(spec), probes));
+    integrator.prepare(*rhs, plan);
+    const std::vector<double> rest(rhs->size(), 0.0);
+    for (const std::size_t expected : {2, 4}) {  // preparations; started again, the whole is prepared, too
+      integrator.start(0, rest);
+      ASSERT_TRUE(integrator.advance(60).ok() && integrator.advance(70).ok()) << spec;
+      ASSERT_TRUE(integrator.settled_at().has_value()) << spec;
+      ASSERT_EQ(probes.size(), expected) << spec;
+      EXPECT_EQ(probes[expected - 2], 1U) << spec;
+      EXPECT_EQ(probes[expected - 1], 0U) << spec;
+      EXPECT_EQ(integrator.statistics().error_bound, 0) << spec;
+      EXPECT_EQ(history.value(history.size() - 1, 0), integrator.state().back()) << spec;
+    }
+  }
+}
+
 TEST(Automatic, DeliversItsToleranceOnANonlinearScene) {
   const ConductivityLaw line{
       .kind = ConductivityLaw::Kind::linear, .value = 2, .coefficient = -0.1, .reference = 0.2};

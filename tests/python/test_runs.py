@@ -229,6 +229,10 @@ class Endings(unittest.TestCase):
         worker.join()
         self.assertGreater(counted, 1000)
 
+    def test_a_negative_time_limit_is_refused(self):
+        with self.assertRaisesRegex(InputError, "time_limit is -1.0; it must be seconds, or 0"):
+            integrate(network(), "rkc", time_limit=-1.0)
+
     def test_two_scenes_run_beside_each_other(self):
         results = [None, None]
 

@@ -182,7 +182,7 @@ class WhatIsRefused(unittest.TestCase):
         centres[4, 1] = NaN
         self.refused("value 13 of centres is nan", Scene.from_spheres, centres, radii, **tables)
         self.refused("value 2 of capacity is inf", network, capacity=[1.0, 1.0, np.inf] + [1.0] * 37)
-        self.refused("capacity", network, capacity=[-1.0] + [1.0] * 39)
+        self.refused("capacity of node 0 is -1; it must be >= 0", network, capacity=[-1.0] + [1.0] * 39)
         self.refused("value 0 of fixed is inf", network, fixed=[np.inf] + [NaN] * 39)
         self.refused("key 't_end' is inf; it must be finite", network, t_end=np.inf)
         self.refused("conductance -1 of edge 0", Scene.from_edges, [[0, 1]], -1.0, t_end=1.0)

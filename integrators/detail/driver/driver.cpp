@@ -131,6 +131,7 @@ void Driver::find_spans_once(double t, std::span<const double> y) {
 void Driver::update_statistics() {
   statistics_ = counted_;
   method_->add_counts(statistics_);
+  if (settled_at_) statistics_.error_bound = statistics_.rounding_bound = 0;  // of the rest alone
 }
 
 void Driver::begin_run_of(Rhs& rhs) {

@@ -15,8 +15,8 @@
 #include "case/inputs/named_column.hpp"
 #include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
+#include "core/text/bracketed_unit.hpp"
 #include "core/text/delimited.hpp"
-#include "core/text/text_file.hpp"
 
 namespace superstep {
 namespace {
@@ -59,20 +59,11 @@ TimeTable read_lists(TomlTable& table) {
   return out;
 }
 
-/// The unit in brackets at the end of a column's name, as in "P [mW]"; empty = it states none.
-std::string stated_unit(const std::string& name) {
-  const std::string_view text = trimmed(name);
-  if (text.empty() || (text.back() != ']' && text.back() != ')')) return {};
-  const std::size_t open = text.find_last_of("[(");
-  if (open == std::string_view::npos) return {};
-  return std::string(trimmed(text.substr(open + 1, text.size() - open - 2)));
-}
-
 /// Tables of time are in SI units: a column that says otherwise is not read as if it did not.
 void require_unit(const DelimitedTable& rows, std::size_t column,
                   std::initializer_list<std::string_view> known, const char* way_out) {
   if (rows.names().empty()) return;
-  const std::string unit = stated_unit(rows.names()[column]);
+  const std::string_view unit = split_bracketed_unit(rows.names()[column]).unit;
   if (unit.empty() || std::find(known.begin(), known.end(), unit) != known.end()) return;
   throw InputError(
       fmt::format("{}: column '{}' is in {}; {}", rows.where(), rows.names()[column], unit, way_out));

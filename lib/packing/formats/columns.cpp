@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/text/bracketed_unit.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/suggest.hpp"
 #include "packing/units.hpp"
@@ -35,14 +36,9 @@ std::string letters_and_digits(std::string_view text) {
 PlainName plain_name(std::string_view written) {
   if (const auto bar = written.rfind('|'); bar != std::string_view::npos) written.remove_prefix(bar + 1);
   written = trimmed(written);
-  std::string_view rest = written, unit;
-  if (!written.empty() && (written.back() == ']' || written.back() == ')')) {
-    const std::size_t open = written.find_last_of("[(");
-    if (open != std::string_view::npos) {
-      unit = trimmed(written.substr(open + 1, written.size() - open - 2));
-      rest = written.substr(0, open);
-    }
-  } else if (const std::size_t cut = written.find_last_of("_/ "); cut != std::string_view::npos && cut > 0) {
+  auto [rest, unit] = split_bracketed_unit(written);
+  if (const std::size_t cut = written.find_last_of("_/ ");
+      rest == written && cut != std::string_view::npos && cut > 0) {
     unit = written.substr(cut + 1);
     rest = written.substr(0, cut);
   }

@@ -156,8 +156,8 @@ RecordFields<BenchRow> bench_columns(bool potential) {
   columns.push_back(field("instructions", &BenchRow::instructions,
                           "executed between start and end of the integration, counted by callgrind; empty "
                           "without --instructions"));
-  columns.push_back(
-      field("rounding_bound", &BenchRow::rounding_bound, "the part of error_bound that is rounding"));
+  columns.push_back(field("rounding_bound", &BenchRow::rounding_bound,
+                          "the part of error_bound that is rounding, by a model"));
   return columns;
 }
 
