@@ -59,7 +59,7 @@ struct BenchRow {
   Number cpu_prepare;       ///< s, before the first step: spectrum, factorization, choice; median
   Number speedup_prepared;  ///< preparation and stepping together, against the baseline
   Number cpu_pilot;       ///< s, of the run that found the spans for all methods; empty where none was needed
-  Number error_bound;     ///< rigorous bound of the error over the span [-]; empty = the method has none
+  Number error_bound;     ///< over the span [-], proven but for roundings; empty = the method has none
   Number rounding_bound;  ///< the part of it that is rounding
   Number cpu_verify;      ///< s, of runs by which a method checked itself; empty = it did not
   int processes = 1;      ///< that took part

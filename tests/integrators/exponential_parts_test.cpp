@@ -1,5 +1,5 @@
 /// The parts of the exponential: Bessel coefficients, responses of a tridiagonal matrix, the bound of a
-/// residual.
+/// residual, moments of inputs.
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "integrators/detail/exponential/chebyshev_exponential.hpp"
+#include "integrators/detail/exponential/duhamel_coefficients.hpp"
 #include "integrators/detail/krylov/residual_bound.hpp"
 #include "integrators/detail/krylov/tridiagonal_response.hpp"
 
@@ -142,6 +143,17 @@ TEST(TridiagonalResponse, AddsUpWhatAnInputDoes) {
   for (std::size_t j = 0; j < 3; ++j) {
     EXPECT_NEAR(response.value[j], y[j], 1e-8) << j;
     EXPECT_NEAR(response.integral[j], sum[j], 1e-8) << j;
+  }
+}
+
+TEST(DuhamelCoefficients, MomentsHaveTheirClosedForms) {
+  for (const double mu : {0.0, 1e-6, 0.3, 5.0, 400.0, 1e6}) {
+    const auto moments = exponential_moments(mu, 2);
+    const double zeroth = mu > 0 ? -std::expm1(-mu) / mu : 1;
+    EXPECT_NEAR(moments[0], zeroth, 1e-14 * zeroth + 1e-15) << mu;
+    if (mu < 0.1) continue;  // the closed form of the first one cancels there
+    // integral of (1 - 2 w) exp(-mu w) = zeroth - 2 (1 - (1 + mu) exp(-mu))/mu^2
+    EXPECT_NEAR(moments[1], zeroth - 2 * (1 - (1 + mu) * std::exp(-mu)) / (mu * mu), 1e-13) << mu;
   }
 }
 

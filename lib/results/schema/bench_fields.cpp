@@ -148,8 +148,9 @@ RecordFields<BenchRow> bench_columns(bool potential) {
                           "preparation and stepping together, against the baseline"));
   columns.push_back(field("cpu_pilot_s", &BenchRow::cpu_pilot,
                           "s; of the run that found the spans; empty where none was needed"));
-  columns.push_back(field("error_bound", &BenchRow::error_bound,
-                          "rigorous bound of the error over the span, rms; empty where a method has none"));
+  columns.push_back(field(
+      "error_bound", &BenchRow::error_bound,
+      "bound of the error over the span, rms: proven but for roundings; empty where a method has none"));
   columns.push_back(field("cpu_verify_s", &BenchRow::cpu_verify,
                           "s; of the runs by which a method checked itself; empty where it did not"));
   columns.push_back(field("processes", &BenchRow::processes, "processes that took part"));
