@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace superstep {
 
-std::vector<double> exponential_coefficients(double z, double tolerance, const ExpansionScale& scale) {
-  if (!(z > 0)) return {1.0};
+TruncatedSeries exponential_series(double z, double tolerance, const ExpansionScale& scale) {
+  if (!(z > 0)) return {{1.0}, 0};
   // e^-z I_k(z) falls like exp(-k^2/(2z)) up to k ~ z and faster beyond: start well past the wanted tail.
   const double factor = 1 + scale.rate + scale.turn;  // by which the rest may count for more
   const double decades = std::log(1e20 / std::min(tolerance, 1.0) * std::min(factor, 1e100));
@@ -21,23 +22,26 @@ std::vector<double> exponential_coefficients(double z, double tolerance, const E
       for (std::size_t j = k; j <= start; ++j) c[j] /= large;
   }
   for (std::size_t k = 1; k < c.size(); ++k) c[k] *= 2;
-  double sum = 0, tail = 0;
+  double sum = 0, tail = 0, uniform_tail = 0, left_out = 0;
   for (std::size_t k = c.size(); k-- > 0;) sum += c[k];
   std::size_t last = c.size() - 1;
   while (last > 0) {
     const auto k = static_cast<double>(last);
-    const double growth = k * k / z;
-    tail += c[last] / sum * (scale.by_rate ? growth * (scale.rate + growth / 6 * scale.turn) : 1);
+    const double growth = k * k / z, turned = growth / 6 * scale.turn;
+    tail += c[last] / sum * (scale.by_rate ? growth * (scale.rate + turned) : 1);
+    uniform_tail += c[last] / sum * (scale.deviation + growth * (scale.uniform_rate + turned));
     // What is dropped is missed, and the scaling of the rest, which keeps a uniform state, errs by as much
     // again.
-    if (2 * tail > tolerance) break;
+    const double without = 2 * std::min(tail, uniform_tail);
+    if (without > tolerance) break;
+    left_out = without;
     --last;
   }
   c.resize(last + 1);
   double kept = 0;
   for (std::size_t k = c.size(); k-- > 0;) kept += c[k];
   for (double& coefficient : c) coefficient /= kept;
-  return c;
+  return {std::move(c), left_out};
 }
 
 std::vector<double> integrated_coefficients(const std::vector<double>& c) {

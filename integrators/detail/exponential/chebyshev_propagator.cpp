@@ -70,9 +70,12 @@ Outcome ChebyshevPropagator::propagate(std::span<Output> outputs) {
   integrals_.resize(coefficients_.size());
   const ExpansionScale scale =
       find_expansion_scale(rhs(), now(), outputs.back().elapsed, origin(), span(), u_, next_);
+  double left_out = 0;
   for (std::size_t m = 0; m < outputs.size(); ++m) {
-    coefficients_[m] = exponential_coefficients(outputs[m].elapsed * radius_ / 2, tolerance_,
-                                                scale.over(outputs[m].elapsed));
+    TruncatedSeries series =
+        exponential_series(outputs[m].elapsed * radius_ / 2, tolerance_, scale.over(outputs[m].elapsed));
+    left_out = std::max(left_out, series.left_out);
+    coefficients_[m] = std::move(series.c);
     if (plan().track_inflow) integrals_[m] = integrated_coefficients(coefficients_[m]);
     terms_ = std::max(terms_, coefficients_[m].size());
     std::fill(outputs[m].state.begin(), outputs[m].state.end(), 0.0);
@@ -81,7 +84,7 @@ Outcome ChebyshevPropagator::propagate(std::span<Output> outputs) {
   }
   if (radius_ == 0) return no_exchange(outputs);
   count_terms(terms_);
-  add_bound(tolerance_ * rms_over_weighted(), 0);
+  add_bound(left_out * rms_over_weighted(), 0);
   const double rounding = rounding_of_terms(1 + magnitude(), scale);
   constexpr double never_mind = 1e-11;  // of a whole run
   if (rounding > std::max(tolerance_, never_mind * share_of_run())) return expand_change();

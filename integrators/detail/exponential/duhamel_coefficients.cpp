@@ -114,7 +114,7 @@ std::vector<double> chebyshev_integrals(int degree) {
 }
 
 std::size_t duhamel_terms(const DuhamelPanel& panel, double tolerance) {
-  return exponential_coefficients(panel.h * panel.rho / 2, tolerance, {.by_rate = true, .rate = 1}).size() +
+  return exponential_series(panel.h * panel.rho / 2, tolerance, {.by_rate = true, .rate = 1}).c.size() +
          static_cast<std::size_t>(panel.degree) + 4;
 }
 

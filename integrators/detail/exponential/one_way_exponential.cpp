@@ -152,7 +152,7 @@ void OneWayExponential::propagate_potential(double h) {
   std::vector<std::vector<double>> c;
   for (std::size_t m = 1; m <= degree; ++m) {
     const double elapsed = h * point_position(m, degree);
-    c.push_back(exponential_coefficients(elapsed * radius / 2, tolerance_, scale.over(elapsed)));
+    c.push_back(exponential_series(elapsed * radius / 2, tolerance_, scale.over(elapsed)).c);
     std::fill(point_[m].begin(), point_[m].end(), 0.0);
   }
   const std::size_t terms = c.back().size();
