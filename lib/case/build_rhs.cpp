@@ -130,7 +130,7 @@ void append_initial(const FieldScene& field, const Network& network, Scene& scen
 }
 
 void build_single(const std::string& where, FieldScene& field, Scene& scene) {
-  apply_roles(assign_roles(field.graph, where), field);
+  apply_roles(assign_roles(field.graph, where, {}, field.algebraic), field);
   set_range(scene.t_end, field);
   field.view = 0;
   if (varies(field)) {
@@ -228,10 +228,10 @@ void list_field_skips(const FieldScene& field, bool only, Scene& scene) {
   if (algebraic > 0)
     scene.skips.push_back({fmt::format("{} nodes of capacity 0{}", algebraic, of_field),
                            "they are eliminated: their values follow from their neighbours"});
-  if (field.idle_clusters > algebraic)
+  if (field.idle_clusters > 0)
     scene.skips.push_back(
         {fmt::format("{} nodes in {} clusters{}", static_cast<std::size_t>(count(NodeRole::idle)) - algebraic,
-                     field.idle_clusters - algebraic, of_field),
+                     field.idle_clusters, of_field),
          "their values are uniform and nothing acts on them"});
   if (field.steady && field.floating_clusters > 0)
     scene.skips.push_back(

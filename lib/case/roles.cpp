@@ -18,8 +18,30 @@ struct ComponentFacts {
   [[nodiscard]] bool idle() const noexcept { return uniform && !acted_on && !sourced && has_free; }
 };
 
-void examine_values(const Graph& graph, const Components& components, std::vector<ComponentFacts>& facts) {
+/// Components of the graph as stated: an eliminated node is joined with whatever its value follows.
+Components stated_components(const Graph& graph, std::span<const AlgebraicNode> algebraic) {
+  if (algebraic.empty()) return connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
+  auto i = graph.i, j = graph.j;
+  auto joins = graph.conductance;
+  for (const auto& gone : algebraic)
+    for (const auto& [other, weight] : gone.weight) {
+      i.push_back(gone.node);
+      j.push_back(other);
+      joins.push_back(weight);
+    }
+  return connected_components(graph.nodes(), i, j, joins);
+}
+
+std::vector<char> marks_of(const Graph& graph, std::span<const AlgebraicNode> algebraic) {
+  std::vector<char> marks(graph.nodes(), 0);
+  for (const auto& gone : algebraic) marks[at(gone.node)] = 1;
+  return marks;
+}
+
+void examine_values(const Graph& graph, const Components& components, std::span<const char> eliminated,
+                    std::vector<ComponentFacts>& facts) {
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
+    if (eliminated[node]) continue;
     auto& fact = facts[at(components.of_node[node])];
     const bool fixed = graph.is_fixed[node] != 0;
     const double value = fixed ? graph.fixed_value[node] : graph.initial[node];
@@ -35,9 +57,9 @@ void examine_values(const Graph& graph, const Components& components, std::vecto
 }
 
 std::vector<ComponentFacts> examine(const Graph& graph, const Components& components,
-                                    std::span<const char> acted_on) {
+                                    std::span<const char> acted_on, std::span<const char> eliminated) {
   std::vector<ComponentFacts> facts(components.count);
-  examine_values(graph, components, facts);
+  examine_values(graph, components, eliminated, facts);
   const auto fact_of = [&](std::int32_t node) -> ComponentFacts& {
     return facts[at(components.of_node[at(node)])];
   };
@@ -55,9 +77,11 @@ std::vector<ComponentFacts> examine(const Graph& graph, const Components& compon
 
 }  // namespace
 
-RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<const char> acted_on) {
-  const Components components = connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
-  const auto facts = examine(graph, components, acted_on);
+RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<const char> acted_on,
+                        std::span<const AlgebraicNode> algebraic) {
+  const Components components = stated_components(graph, algebraic);
+  const auto eliminated = marks_of(graph, algebraic);
+  const auto facts = examine(graph, components, acted_on, eliminated);
   const bool something_moves =
       std::any_of(facts.begin(), facts.end(), [](const auto& fact) { return fact.has_free && !fact.idle(); });
   RoleReport report;
@@ -73,7 +97,7 @@ RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<
   bool any_free = false;
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
     const auto& fact = facts[at(components.of_node[node])];
-    const bool idle = something_moves && fact.idle();
+    const bool idle = eliminated[node] || (something_moves && fact.idle());
     report.roles[node] = graph.is_fixed[node] != 0 ? NodeRole::fixed : idle ? NodeRole::idle : NodeRole::free;
     report.live[node] = !fact.idle() && (!fact.uniform || fact.acted_on || fact.sourced);
     any_free = any_free || report.roles[node] == NodeRole::free;
@@ -86,7 +110,7 @@ RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<
 
 RoleReport assign_steady_roles(const Graph& graph, const std::string& where) {
   const Components components = connected_components(graph.nodes(), graph.i, graph.j, graph.conductance);
-  const auto facts = examine(graph, components, {});
+  const auto facts = examine(graph, components, {}, marks_of(graph, {}));
   bool joined = false;
   std::vector<double> levels;
   for (const auto& fact : facts) {

@@ -62,7 +62,7 @@ struct FieldScene {
   std::vector<double> bare;     ///< [edges] conductance from particle contributions only, where it differs
   std::vector<std::int32_t> row_of_node;  ///< [nodes] row in the field's network, -1 for fixed and idle nodes
   std::ptrdiff_t view = -1;               ///< index among the right-hand side's fields; -1 = not in the state
-  std::size_t components = 0;             ///< connected components of the whole graph
+  std::size_t components = 0;             ///< connected components of the graph as stated
   std::size_t idle_clusters = 0;          ///< components in which nothing can change
   std::size_t floating_clusters = 0;      ///< components without a fixed node that are integrated
   std::vector<std::string> warnings;      ///< about its materials

@@ -68,7 +68,8 @@ void write_packing(Text& text, const Scene& scene, const PackingHealth& packing)
 
 void write_network(Text& text, const FieldHealth& field) {
   text.heading(fmt::format("Network ({})", field.name));
-  text.row("nodes", "{} ({} free, {} fixed, {} idle)", field.nodes, field.free, field.fixed, field.idle);
+  text.row("nodes", "{} ({} free, {} fixed, {} idle{})", field.nodes, field.free, field.fixed, field.idle,
+           field.eliminated > 0 ? fmt::format(", {} eliminated", field.eliminated) : "");
   text.row("edges", "{}, conductance {:.3g} to {:.3g} {}", field.edges, field.conductance_min,
            field.conductance_max, field.name == "temperature" ? "W/K" : "S");
   text.row("coordination", "mean {:.2f}, {} to {}", field.coordination_mean, field.coordination_min,
@@ -174,6 +175,7 @@ nlohmann::json field_json(const FieldHealth& field) {
       {"free", field.free},
       {"fixed", field.fixed},
       {"idle", field.idle},
+      {"eliminated", field.eliminated},
       {"components", field.components},
       {"floating_clusters", field.floating},
       {"idle_clusters", field.idle_clusters},

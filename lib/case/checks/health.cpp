@@ -64,6 +64,13 @@ double lumping_ratio(const Packing& packing, const FieldScene& field) {
   return quantile(ratio, 0.5);
 }
 
+/// Drops what counts nothing: eliminated nodes have given their edges to their neighbours.
+void leave_out(const std::vector<AlgebraicNode>& eliminated, std::vector<std::size_t>& degree) {
+  constexpr auto none = static_cast<std::size_t>(-1);
+  for (const auto& gone : eliminated) degree[static_cast<std::size_t>(gone.node)] = none;
+  std::erase(degree, none);
+}
+
 void count_nodes(const FieldScene& field, FieldHealth& health) {
   const auto& graph = field.graph;
   std::vector<std::size_t> degree(graph.nodes(), 0);
@@ -79,13 +86,16 @@ void count_nodes(const FieldScene& field, FieldHealth& health) {
     first = false;
   }
   health.nodes = graph.nodes();
+  health.eliminated = field.algebraic.size();
   for (const auto role : field.roles)
     ++(role == NodeRole::free ? health.free : role == NodeRole::fixed ? health.fixed : health.idle);
+  health.idle -= health.eliminated;  // they have that role, as they are no part of the state
   health.components = field.components;
   health.floating = field.floating_clusters;
   health.idle_clusters = field.idle_clusters;
+  leave_out(field.algebraic, degree);
   health.isolated = static_cast<std::size_t>(std::count(degree.begin(), degree.end(), std::size_t{0}));
-  health.coordination_mean = 2 * static_cast<double>(health.edges) / static_cast<double>(health.nodes);
+  health.coordination_mean = 2 * static_cast<double>(health.edges) / static_cast<double>(degree.size());
   const auto [least, most] = std::minmax_element(degree.begin(), degree.end());
   health.coordination_min = *least;
   health.coordination_max = *most;

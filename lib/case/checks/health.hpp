@@ -13,7 +13,7 @@ namespace superstep {
 struct FieldHealth {
   std::string name, unit;
   bool steady = false;  ///< solved for: it has no capacities, so that nothing below is said of stiffness
-  std::size_t nodes = 0, edges = 0, free = 0, fixed = 0, idle = 0;
+  std::size_t nodes = 0, edges = 0, free = 0, fixed = 0, idle = 0, eliminated = 0;
   std::size_t components = 0, floating = 0, idle_clusters = 0, isolated = 0;
   double coordination_mean = 0;
   std::size_t coordination_min = 0, coordination_max = 0;

@@ -51,10 +51,13 @@ void add_packing(Facts& facts, const Json& packing) {
 void add_field(Facts& facts, const Json& field) {
   const std::string name = field.value("field", "field");
   const auto free = number_in(field, "free"), fixed = number_in(field, "fixed"),
-             idle = number_in(field, "idle");
+             idle = number_in(field, "idle"), eliminated = number_in(field, "eliminated");
   if (free && fixed)
-    facts.emplace_back(name + ": nodes", fmt::format("{} free, {} fixed, {} idle", count_of(free),
-                                                     count_of(fixed), count_of(idle)));
+    facts.emplace_back(
+        name + ": nodes",
+        fmt::format(
+            "{} free, {} fixed, {} idle{}", count_of(free), count_of(fixed), count_of(idle),
+            eliminated && *eliminated > 0 ? fmt::format(", {} of capacity 0", count_of(eliminated)) : ""));
   if (const auto floating = number_in(field, "floating_clusters"), all = number_in(field, "components"); all)
     facts.emplace_back(name + ": clusters", fmt::format("{:.0f}, of these {:.0f} without a fixed node", *all,
                                                         floating.value_or(0)));
