@@ -14,6 +14,7 @@
 #include "bench/output/output_folder.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/text/quantity.hpp"
 #include "results/corpus/corpus_csv.hpp"
 #include "results/corpus/corpus_tables.hpp"
 
@@ -84,7 +85,8 @@ void say_scene(const CorpusCommand& command, std::size_t k, std::size_t n,
                const std::vector<CorpusRow>& rows) {
   if (command.common.quiet) return;
   const auto ok = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.ok(); });
-  note(fmt::format("{} of {}: {}: {} of {} points ended well", k, n, rows.front().scene, ok, rows.size()));
+  note(fmt::format("{} of {}: {}: {} of {} ended well", k, n, rows.front().scene, ok,
+                   quantity(rows.size(), "point")));
 }
 
 void print_tables(const CorpusCommand& command, const std::vector<CorpusRow>& rows) {

@@ -13,6 +13,7 @@
 #include "bench/harness/corpus/cost_fit.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/text/quantity.hpp"
 #include "results/corpus/corpus_csv.hpp"
 #include "results/text/plain_table.hpp"
 
@@ -46,8 +47,8 @@ std::vector<std::string> origin_of(const FitCommand& command, std::span<const Co
     revisions.insert(point.row->revision);
     scenes.insert(point.row->scene);
   }
-  return {fmt::format("{} points of {} scenes; {}; revision {}; {};", points.size(), scenes.size(),
-                      joined(processors), joined(revisions), today()),
+  return {fmt::format("{} of {}; {}; revision {}; {};", quantity(points.size(), "point"),
+                      quantity(scenes.size(), "scene"), joined(processors), joined(revisions), today()),
           fmt::format("superstep fit {}", fmt::join(command.files, " "))};
 }
 

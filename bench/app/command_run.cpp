@@ -18,6 +18,7 @@
 #include "bench/output/run_files.hpp"
 #include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
+#include "core/text/quantity.hpp"
 #include "integrators/method_spec.hpp"
 
 namespace superstep {
@@ -101,9 +102,10 @@ std::string summary(const Scene& scene, const MethodSpec& method, const RunResul
   if (!run.outcome.ok())
     return fmt::format("{}: {}: {}\n", spec, status_name(run.outcome.status), run.outcome.reason);
   const std::string choice = run.choice.empty() ? "" : fmt::format("  {}\n", run.choice);
-  return fmt::format("{}: ok{}, {} steps, {} sweeps, {:.3g} s CPU; {}\n{}", spec,
-                     error_text(scene, method.rtol(), run, check), run.statistics.steps, run.sweeps,
-                     run.cpu_pilot + run.cpu_prepare + run.cpu_stepping, folder, choice);
+  return fmt::format("{}: ok{}, {}, {}, {:.3g} s CPU; {}\n{}", spec,
+                     error_text(scene, method.rtol(), run, check), quantity(run.statistics.steps, "step"),
+                     quantity(run.sweeps, "sweep"), run.cpu_pilot + run.cpu_prepare + run.cpu_stepping,
+                     folder, choice);
 }
 
 Command from_line(const Arguments& values) {

@@ -9,6 +9,7 @@
 
 #include "bench/app/cli/command_entry.hpp"
 #include "core/error.hpp"
+#include "core/text/quantity.hpp"
 #include "core/text/text_file.hpp"
 #include "core/text/toml.hpp"
 #include "network/components.hpp"
@@ -72,8 +73,8 @@ std::string packing_text(const Packing& packing, const std::string& path,
   };
   out += "\nConduction\n";
   out += row("mean coordination", fmt::format("{:.4g}", conduction->coordination));
-  out += row("components",
-             fmt::format("{}, {} particles without a contact", conduction->components, conduction->isolated));
+  out += row("components", fmt::format("{}, {} without a contact", conduction->components,
+                                       quantity(conduction->isolated, "particle")));
   if (conduction->periodic)
     out += row(fmt::format("effective conductivity along {}", conduction->axis),
                value(conduction->periodic) + ", under a mean gradient in the periodic cell");

@@ -9,6 +9,7 @@
 #include "case/roles.hpp"
 #include "core/error.hpp"
 #include "core/index.hpp"
+#include "core/text/quantity.hpp"
 #include "network/network_in_order.hpp"
 #include "network/spd_solver.hpp"
 #include "rhs/network_rhs.hpp"
@@ -222,21 +223,24 @@ void build_steady(const std::string& where, FieldScene& electric, Scene& scene) 
 void list_field_skips(const FieldScene& field, bool only, Scene& scene) {
   const auto count = [&](NodeRole role) { return std::count(field.roles.begin(), field.roles.end(), role); };
   const std::string of_field = only ? "" : fmt::format(" of the {}", field.name);
+  const auto nodes_in = [&](std::size_t nodes, std::size_t clusters) {
+    return fmt::format("{} in {}{}", quantity(nodes, "node"), quantity(clusters, "cluster"), of_field);
+  };
   if (const auto fixed = count(NodeRole::fixed); fixed > 0)
     scene.skips.push_back(fixed_nodes_skip(fixed, of_field));
   const auto algebraic = field.algebraic.size();
   if (algebraic > 0)
-    scene.skips.push_back({fmt::format("{} nodes of capacity 0{}", algebraic, of_field),
-                           "they are eliminated: their values follow from their neighbours"});
+    scene.skips.push_back({fmt::format("{} of capacity 0{}", quantity(algebraic, "node"), of_field),
+                           algebraic == 1
+                               ? "it is eliminated: its value follows from its neighbours"
+                               : "they are eliminated: their values follow from their neighbours"});
   if (field.idle_clusters > 0)
     scene.skips.push_back(
-        {fmt::format("{} nodes in {} clusters{}", static_cast<std::size_t>(count(NodeRole::idle)) - algebraic,
-                     field.idle_clusters, of_field),
-         "their values are uniform and nothing acts on them"});
+        {nodes_in(static_cast<std::size_t>(count(NodeRole::idle)) - algebraic, field.idle_clusters),
+         "values there are uniform and nothing acts on them"});
   if (field.steady && field.floating_clusters > 0)
-    scene.skips.push_back(
-        {fmt::format("{} nodes in {} clusters{}", count(NodeRole::idle), field.floating_clusters, of_field),
-         "they touch no electrode: no current flows there"});
+    scene.skips.push_back({nodes_in(static_cast<std::size_t>(count(NodeRole::idle)), field.floating_clusters),
+                           "without an electrode no current flows there"});
 }
 
 void list_term_skips(const FieldScene& field, Scene& scene) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/text/quantity.hpp"
 #include "results/answer.hpp"
 #include "results/text/text_table.hpp"
 
@@ -55,9 +56,9 @@ std::vector<TextTable::Cell> cells(const BenchRow& row, const std::string& basel
 
 std::string heading(const BenchCase& one, int repetitions, int threads) {
   std::string out = one.name + (one.title.empty() ? "" : ": " + one.title) + "\n";
-  out += fmt::format("{} nodes, {} contacts, {} unknowns, t_end {:g} s; {} repetition{}, {} thread{}\n",
-                     one.nodes, one.contacts, one.unknowns, one.t_end, repetitions,
-                     repetitions == 1 ? "" : "s", threads, threads == 1 ? "" : "s");
+  out += fmt::format("{}, {}, {}, t_end {:g} s; {}, {}\n", quantity(one.nodes, "node"),
+                     quantity(one.contacts, "contact"), quantity(one.unknowns, "unknown"), one.t_end,
+                     quantity(repetitions, "repetition"), quantity(threads, "thread"));
   if (!one.reference) return out + "no reference: errors not measured\n";
   out += fmt::format("reference {}{}", one.reference->spec, one.reference->from_cache ? " (cached)" : "");
   for (const auto& row : one.rows) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/median.hpp"
+#include "core/text/quantity.hpp"
 
 namespace superstep {
 namespace {
@@ -136,8 +137,7 @@ class Judge {
     const auto a = relative_timings(case_before, before), b = relative_timings(case_now, now);
     const std::size_t rounds = std::min(a.rounds(), b.rounds());
     if (rounds < limits_.rounds)
-      return add(what, fmt::format("{} rounds", a.rounds()), fmt::format("{} rounds", b.rounds()),
-                 GateVerdict::not_judged);
+      return add(what, quantity(a.rounds(), "round"), quantity(b.rounds(), "round"), GateVerdict::not_judged);
     double shortest = median_of(a.work);
     for (const auto* times : {&a.yardstick, &b.work, &b.yardstick})
       shortest = std::min(shortest, median_of(*times));

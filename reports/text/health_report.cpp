@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "core/text/quantity.hpp"
+
 namespace superstep {
 namespace {
 
@@ -74,8 +76,8 @@ void write_network(Text& text, const FieldHealth& field) {
            field.conductance_max, field.name == "temperature" ? "W/K" : "S");
   text.row("coordination", "mean {:.2f}, {} to {}", field.coordination_mean, field.coordination_min,
            field.coordination_max);
-  text.row("components", "{} ({} floating, {} idle, {} isolated nodes)", field.components, field.floating,
-           field.idle_clusters, field.isolated);
+  text.row("components", "{} ({} floating, {} idle, {})", field.components, field.floating,
+           field.idle_clusters, quantity(field.isolated, "isolated node"));
   if (field.lumping_median)
     text.row("lumping ratio K/(pi kappa R_min)", "median {:.3f}{}", *field.lumping_median,
              *field.lumping_median > 0.1 ? " (not small: one temperature per particle is coarse)" : "");
@@ -196,8 +198,9 @@ std::string health_text(const Scene& scene, const NetworkHealth& health) {
   Text text;
   text.heading(scene.title);
   if (!scene.source.empty()) text.line("source: " + scene.source);
-  text.line(fmt::format("t_end = {:g} s, {} output times, {} probes", scene.t_end, scene.output_times.size(),
-                        scene.probes.size()));
+  text.line(fmt::format("t_end = {:g} s, {}, {}", scene.t_end,
+                        quantity(scene.output_times.size(), "output time"),
+                        quantity(scene.probes.size(), "probe")));
   if (health.packing) write_packing(text, scene, *health.packing);
   for (const auto& field : health.fields) {
     write_network(text, field);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/text/quantity.hpp"
 #include "results/text/html_text.hpp"
 
 namespace superstep {
@@ -112,7 +113,7 @@ const BenchRow* fastest(const BenchCase& one) {
 std::string case_markdown(const BenchCase& one) {
   const auto ok = std::count_if(one.rows.begin(), one.rows.end(), [](const auto& row) { return row.ok(); });
   std::string out =
-      fmt::format("- {}: {} of {} runs succeeded", markdown_text(one.name), ok, one.rows.size());
+      fmt::format("- {}: {} of {} succeeded", markdown_text(one.name), ok, quantity(one.rows.size(), "run"));
   if (const auto* best = fastest(one)) {
     out += fmt::format("; fastest {} with {} s CPU", markdown_text(best->spec),
                        number_text(best->cpu_total->median));
@@ -137,8 +138,9 @@ std::string verdict(const BenchReport& report) {
     }
   if (report.interrupted) return "**Interrupted.** What had been measured by then:\n\n";
   if (all == 0) return "**Nothing was measured.**\n";
+  if (failed == 0 && all == 1) return "**The run succeeded.**\n\n";
   return failed == 0 ? fmt::format("**All {} runs succeeded.**\n\n", all)
-                     : fmt::format("**{} of {} runs failed.**\n\n", failed, all);
+                     : fmt::format("**{} of {} failed.**\n\n", failed, quantity(all, "run"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/quantity.hpp"
 #include "results/text/text_table.hpp"
 
 namespace superstep {
@@ -242,8 +243,8 @@ std::string state_table(const FrozenState& state, bool color) {
 
 std::string state_section(const FrozenState& state, bool color) {
   std::string out = fmt::format(
-      "at {:g} % of the run, t = {:.6g} s: {} unknowns, {} spectrum ({}), |lambda| = {:.6g} 1/s",
-      100 * state.part, state.time, state.unknowns, state.spectrum, state.found_by, state.lambda_max);
+      "at {:g} % of the run, t = {:.6g} s: {}, {} spectrum ({}), |lambda| = {:.6g} 1/s", 100 * state.part,
+      state.time, quantity(state.unknowns, "unknown"), state.spectrum, state.found_by, state.lambda_max);
   if (state.lambda_imaginary > 0) out += fmt::format(" (imaginary part {:.3g})", state.lambda_imaginary);
   out += fmt::format(", certified bound {:.6g} 1/s\n", state.certified_bound);
   if (state.rising > 0)
@@ -305,8 +306,8 @@ std::string verdicts_section(const StabilityResults& results, bool color) {
 std::string stability_text(const StabilityResults& results, bool color) {
   std::string out =
       styled(results.case_name + (results.title.empty() ? "" : ": " + results.title), Style::bold, color);
-  out += fmt::format("\n{} unknowns, lambda_max = {:.6g} 1/s (residual {:.1e})\n", results.unknowns,
-                     results.lambda_max, results.lambda_residual);
+  out += fmt::format("\n{}, lambda_max = {:.6g} 1/s (residual {:.1e})\n",
+                     quantity(results.unknowns, "unknown"), results.lambda_max, results.lambda_residual);
   if (results.linear) {
     out += heading("Stability functions: theory and measurement", color) + methods_section(results, color);
     out += heading("Critical step of forward Euler", color) +

@@ -65,7 +65,7 @@ TEST(Report, OfFailuresOnlySaysWhy) {
   one.observations = {};
   write_benchmark(folder, report);
   const std::string html = report_of(folder);
-  EXPECT_TRUE(has(html, "0 of 1 runs succeeded"));
+  EXPECT_TRUE(has(html, "0 of 1 run succeeded"));
   EXPECT_TRUE(has(html, "errors grow; take a smaller step"));
   EXPECT_FALSE(has(html, "id=\"case-1-speed\""));
 }
@@ -77,7 +77,7 @@ TEST(Report, OfOneMethodOnly) {
   report.cases[0].observations.curves.resize(1);
   write_benchmark(folder, report);
   const std::string html = report_of(folder);
-  EXPECT_TRUE(has(html, "1 of 1 runs succeeded"));
+  EXPECT_TRUE(has(html, "1 of 1 run succeeded"));
   EXPECT_FALSE(has(html, "id=\"case-1-sts\"")) << "no super-time-stepping was run";
 }
 

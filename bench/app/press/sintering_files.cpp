@@ -9,6 +9,7 @@
 #include "bench/host/machine.hpp"
 #include "core/stopwatch.hpp"
 #include "core/text/options.hpp"
+#include "core/text/quantity.hpp"
 #include "results/results_json.hpp"
 #include "results/text/csv_text.hpp"
 
@@ -159,9 +160,10 @@ std::string sintering_summary(const Press& one, const Motion& motion, const Sint
     text += fmt::format("{:<12} {:>8.4g} {:>9.4f} {:>8.1f} {:>8.1f} {:>11.4g} {:>7} {:>9}\n",
                         phase_name(one, row), row.time, row.volume_fraction, row.mean_temperature,
                         row.max_temperature, row.wall_force, row.bonds, row.contacts);
-  text +=
-      fmt::format("{} steps ({} attempts failed and were made again, shorter), {} iterations, {:.3g} s CPU:",
-                  motion.history().size() - 1, motion.rejected(), motion.iterations(), result.cpu_stepping);
+  text += fmt::format(
+      "{} ({} made again, shorter), {}, {:.3g} s CPU:", quantity(motion.history().size() - 1, "step"),
+      quantity(motion.rejected(), "attempt failed and was", "attempts failed and were"),
+      quantity(motion.iterations(), "iteration"), result.cpu_stepping);
   const auto parts = parts_of(motion.network().times, result.cpu_stepping);
   const auto percent = [&](double seconds) {
     return result.cpu_stepping > 0 ? 100 * seconds / result.cpu_stepping : 0.0;

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include "case/scene.hpp"
+#include "core/text/quantity.hpp"
 
 namespace superstep {
 
 ///   of_field  as in " of the potential" where there are several; else empty
 [[nodiscard]] inline Skip fixed_nodes_skip(std::int64_t nodes, const std::string& of_field) {
-  return {fmt::format("{} fixed nodes{}", nodes, of_field), "their values are known"};
+  return {quantity(nodes, "fixed node") + of_field,
+          nodes == 1 ? "its value is known" : "their values are known"};
 }
 [[nodiscard]] inline Skip electric_skip() {
   return {"electric field", "the case has no [electric]"};

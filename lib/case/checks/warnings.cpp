@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/text/quantity.hpp"
+
 namespace superstep {
 namespace {
 
@@ -21,12 +23,13 @@ void warn_outside(std::vector<std::string>& out, const char* what, double smalle
 }  // namespace
 
 std::string limited_necks_warning(std::size_t limited, std::size_t contacts) {
-  return fmt::format("{} of {} necks were limited to the smaller radius", limited, contacts);
+  return fmt::format("{} of {} limited to the smaller radius", limited,
+                     quantity(contacts, "neck was", "necks were"));
 }
 
 std::string floating_warning(std::size_t clusters, const std::string& field) {
-  return fmt::format("{} cluster(s) without a fixed {} are integrated; what enters them stays", clusters,
-                     field);
+  return fmt::format("{} without a fixed {} {}; what enters {} stays", quantity(clusters, "cluster"), field,
+                     clusters == 1 ? "is integrated" : "are integrated", clusters == 1 ? "it" : "them");
 }
 
 std::vector<std::string> range_warnings(const Scene& scene) {

@@ -8,6 +8,7 @@
 
 #include "case/memory/array_checks.hpp"
 #include "core/error.hpp"
+#include "core/text/quantity.hpp"
 
 namespace superstep {
 namespace {
@@ -79,8 +80,8 @@ NetworkInput of_edges(const NetworkArrays& arrays, const std::string& name) {
     add_edge(input.graph, static_cast<std::size_t>(i), static_cast<std::size_t>(j), arrays.conductance[k]);
   }
   if (const std::size_t joined = join_parallel_edges(input.graph); joined > 0)
-    input.notes.push_back(
-        fmt::format("{}: {} edges run parallel to others, and their conductances are summed", name, joined));
+    input.notes.push_back(fmt::format("{}: {} parallel to others, and their conductances are summed", name,
+                                      quantity(joined, "edge runs", "edges run")));
   return input;
 }
 

@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "core/text/csv.hpp"
 #include "core/text/ids_in_words.hpp"
+#include "core/text/quantity.hpp"
 #include "core/text/suggest.hpp"
 
 namespace superstep {
@@ -153,10 +154,10 @@ void warn_of_touching(PackingScene& scene) {
   const std::size_t close = find_contacts(scene.packing, gap).size();
   if (close > 2 * scene.contacts.size())
     scene.packing.warnings.push_back(
-        fmt::format("{} pairs of particles touch, or nearly, without overlapping, and do not conduct: "
+        fmt::format("{} of particles touch, or nearly, without overlapping, and do not conduct: "
                     "[contact] gap = {:.2g} "
                     "with bond_radius joins them",
-                    close - scene.contacts.size(), gap / scene.length_unit));
+                    quantity(close - scene.contacts.size(), "pair"), gap / scene.length_unit));
 }
 
 const NeckLaw& read_law(const TomlValue& neck) {

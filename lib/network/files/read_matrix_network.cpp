@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/error.hpp"
+#include "core/text/quantity.hpp"
 #include "network/files/matrix_market.hpp"
 #include "network/files/read_network.hpp"
 
@@ -117,9 +118,8 @@ void add_grounds(const Origin& origin, const std::vector<double>& diagonal, doub
     ++grounds;
   }
   if (grounds > 0)
-    input.notes.push_back(
-        fmt::format("{}: {} rows sum to more than 0: these nodes exchange with surroundings at {}",
-                    origin.name, grounds, ambient));
+    input.notes.push_back(fmt::format("{}: {} to more than 0: these nodes exchange with surroundings at {}",
+                                      origin.name, quantity(grounds, "row sums", "rows sum"), ambient));
 }
 
 NetworkInput network_of(const Origin& origin, MatrixMarket matrix, MatrixKind kind, double ambient) {

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text/csv.hpp"
 #include "core/text/ids_in_words.hpp"
+#include "core/text/quantity.hpp"
 #include "network/files/read_network.hpp"
 
 namespace superstep {
@@ -72,8 +73,8 @@ void read_edges(const std::string& path, const Positions& positions, NetworkInpu
     add_edge(input.graph, position(a), position(b), value);
   });
   if (const std::size_t joined = join_parallel_edges(input.graph); joined > 0)
-    input.notes.push_back(
-        fmt::format("{}: {} edges run parallel to others, and their conductances are summed", path, joined));
+    input.notes.push_back(fmt::format("{}: {} parallel to others, and their conductances are summed", path,
+                                      quantity(joined, "edge runs", "edges run")));
 }
 
 }  // namespace

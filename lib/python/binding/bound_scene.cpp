@@ -8,6 +8,7 @@
 #include "bench/app/loaded_case.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/quantity.hpp"
 
 namespace superstep::python {
 namespace {
@@ -36,7 +37,8 @@ BoundScene::BoundScene(TomlTable root, const CaseData& data)
 
 std::vector<double> BoundScene::state_of(std::span<const double> y) const {
   if (y.size() != unknowns_.size())
-    throw InputError(fmt::format("y has {} values, and the scene {} unknowns", y.size(), unknowns_.size()));
+    throw InputError(fmt::format("y has {}, and the scene {}", quantity(y.size(), "value"),
+                                 quantity(unknowns_.size(), "unknown")));
   std::vector<double> state(y.size());
   unknowns_.to_state(y, state);
   return state;

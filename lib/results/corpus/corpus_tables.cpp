@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "core/text/quantity.hpp"
 #include "results/corpus/corpus_summary.hpp"
 
 namespace superstep {
@@ -211,7 +212,7 @@ std::string points_text(std::span<const CorpusRow> rows) {
     ok += row.ok() ? 1 : 0;
     slow += row.status == "timeout" ? 1 : 0;
   }
-  std::string out = fmt::format("{} points: {} done", rows.size(), ok);
+  std::string out = fmt::format("{}: {} done", quantity(rows.size(), "point"), ok);
   if (slow > 0) out += fmt::format(", {} stopped because others had long been faster", slow);
   if (const std::size_t rest = rows.size() - ok - slow; rest > 0)
     out += fmt::format(", {} refused or not good enough", rest);
@@ -249,8 +250,8 @@ std::string corpus_headline(std::span<const CorpusRow> rows) {
   if (rows.empty()) return "nothing was measured";
   const auto scenes = scenes_of(rows);
   const CorpusRow& first = rows.front();
-  return fmt::format("{}{} scenes, {}; {} thread{}, on {}, revision {}", winner_text(corpus_cells(scenes)),
-                     scenes.size(), points_text(rows), first.threads, first.threads == 1 ? "" : "s",
+  return fmt::format("{}{}, {}; {}, on {}, revision {}", winner_text(corpus_cells(scenes)),
+                     quantity(scenes.size(), "scene"), points_text(rows), quantity(first.threads, "thread"),
                      first.processor, first.revision.empty() ? "unknown" : first.revision);
 }
 

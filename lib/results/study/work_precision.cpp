@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/quantity.hpp"
 #include "results/text/csv_text.hpp"
 #include "results/text/text_table.hpp"
 
@@ -140,10 +141,9 @@ std::string work_precision_csv(const WorkPrecision& study) {
 }
 
 std::string work_precision_table(const WorkPrecision& study, bool color) {
-  std::string out =
-      fmt::format("{}: {}\nwork against error: {} unknowns, {} repetition{}, {} thread{}\n", study.case_name,
-                  study.title, study.unknowns, study.repetitions, study.repetitions == 1 ? "" : "s",
-                  study.threads, study.threads == 1 ? "" : "s");
+  std::string out = fmt::format("{}: {}\nwork against error: {}, {}, {}\n", study.case_name, study.title,
+                                quantity(study.unknowns, "unknown"),
+                                quantity(study.repetitions, "repetition"), quantity(study.threads, "thread"));
   out += study.reference_error ? fmt::format("reference {}, error bar {:.1e} {} rms\n\n", study.reference,
                                              *study.reference_error, study.unit)
                                : fmt::format("reference {}, without an error bar\n\n", study.reference);

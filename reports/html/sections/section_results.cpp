@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/quantity.hpp"
 #include "reports/html/html_parts.hpp"
 #include "reports/html/sections/sections.hpp"
 #include "results/answer.hpp"
@@ -18,7 +19,7 @@ using Header = HtmlTable::Header;
 
 std::string summary_words(const BenchCase& one) {
   const auto ok = std::count_if(one.rows.begin(), one.rows.end(), [](const auto& row) { return row.ok(); });
-  std::string out = fmt::format("{} of {} runs succeeded.", ok, one.rows.size());
+  std::string out = fmt::format("{} of {} succeeded.", ok, quantity(one.rows.size(), "run"));
   if (const std::string answer = answer_text(one); !answer.empty()) out = answer + " " + out;
   if (!one.reference) out += " No reference: how accurate the methods are was not measured.";
   return out;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/text/quantity.hpp"
 #include "reports/chart/chart.hpp"
 #include "reports/html/html_parts.hpp"
 #include "reports/html/sections/sections.hpp"
@@ -34,9 +35,9 @@ ChartSeries series_of(const WorkPrecision& study, const std::string& family, con
     series.look = method_look(point->integrator);
     series.x.push_back(point->worst_relative);
     series.y.push_back(point->cpu->median);
-    series.notes.push_back(fmt::format("{}: error {} of the span, {} s CPU, {} sweeps", point->spec,
+    series.notes.push_back(fmt::format("{}: error {} of the span, {} s CPU, {}", point->spec,
                                        number_text(point->worst_relative), number_text(point->cpu->median),
-                                       point->sweeps));
+                                       quantity(point->sweeps, "sweep")));
   }
   series.look.dash = dash;
   return series;

@@ -1,0 +1,35 @@
+/// What commands say beside their results.
+
+#include <gtest/gtest.h>
+
+#include "support/program_fixture.hpp"
+
+namespace superstep {
+namespace {
+
+using test::Program;
+
+TEST_F(Program, CountsAgreeWithTheirNouns) {
+  folder_.write("n.csv", "id,capacity,source,initial,fixed\n1,1,0,0,0\n2,1,0,1,\n3,1,0,0,\n4,1,0,1,\n");
+  folder_.write("e.csv", "i,j,conductance\n1,2,1\n3,4,1\n");
+  folder_.write("one.toml",
+                "t_end = 0.1\nprobe = 2\n[network]\nnodes = \"n.csv\"\nedges = \"e.csv\"\n[bench]\n"
+                "baseline = \"forward-euler:step=0.1\"\nintegrators = [\"forward-euler:step=0.1\"]\n");
+  ASSERT_EQ(run("run one.toml --integrator forward-euler:step=0.1 --out one"), 0) << err();
+  EXPECT_NE(out().find(", 1 step, 1 sweep, "), std::string::npos) << out();
+  EXPECT_NE(err().find("1 cluster without a fixed temperature is integrated; what enters it stays"),
+            std::string::npos)
+      << err();
+  ASSERT_EQ(run("info one.toml"), 0) << err();
+  EXPECT_NE(out().find("t_end = 0.1 s, 1 output time, 1 probe\n"), std::string::npos) << out();
+  EXPECT_NE(out().find("skipped: 1 fixed node because its value is known\n"), std::string::npos) << out();
+  ASSERT_EQ(run("bench one.toml --repetitions 1 --reference none --out bench"), 0) << err();
+  EXPECT_NE(out().find("4 nodes, 2 contacts, 3 unknowns, t_end 0.1 s; 1 repetition, 1 thread\n"),
+            std::string::npos)
+      << out();
+  ASSERT_EQ(run("report bench --markdown"), 0) << err();
+  EXPECT_TRUE(out().starts_with("**The run succeeded.**\n")) << out();
+}
+
+}  // namespace
+}  // namespace superstep
