@@ -133,15 +133,11 @@ Scene load_scene(TomlTable root, const CaseData& data) {
   require_laws_to_hold(scene);
   build_rhs(scene.file, coupling, scene);
   if (probe) scene.probes = read_probes(*probe, scene);
-  const auto ranges = range_warnings(scene);
-  scene.warnings.insert(scene.warnings.end(), ranges.begin(), ranges.end());
+  add_warnings(range_warnings(scene), scene.warnings);
   if (scene.packed && !scene.packed->packing.frame.empty())
     scene.warnings.push_back(fmt::format("the packing is {} of its file", scene.packed->packing.frame));
-  if (scene.packed)
-    scene.warnings.insert(scene.warnings.end(), scene.packed->packing.warnings.begin(),
-                          scene.packed->packing.warnings.end());
-  for (const auto& field : scene.fields)
-    scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
+  if (scene.packed) add_warnings(scene.packed->packing.warnings, scene.warnings);
+  for (const auto& field : scene.fields) add_warnings(field.warnings, scene.warnings);
   return scene;
 }
 

@@ -61,6 +61,15 @@ TEST_F(ThermoelectricCase, StateIsThePotentialThenTheTemperature) {
   EXPECT_TRUE(scene.rhs->one_way() != nullptr);
 }
 
+TEST_F(ThermoelectricCase, WhatTwoFieldsFindOfAMaterialIsSaidOnce) {
+  std::string light = with(transient, heat);
+  light.replace(light.find("density = 5000.0"), 16, "density = 100.0");
+  const auto warnings = load(light).warnings;
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                          [](const auto& one) { return one.find("density") != std::string::npos; }),
+            1);
+}
+
 TEST_F(ThermoelectricCase, SteadyPotentialIsSolvedOnceAndHeatsAtAConstantRate) {
   const Scene scene = load(with(steady, heat));
   ASSERT_EQ(scene.rhs->fields().size(), 1U);

@@ -22,6 +22,11 @@ void warn_outside(std::vector<std::string>& out, const char* what, double smalle
 
 }  // namespace
 
+void add_warnings(const std::vector<std::string>& more, std::vector<std::string>& all) {
+  for (const auto& one : more)
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
 std::string limited_necks_warning(std::size_t limited, std::size_t contacts) {
   return fmt::format("{} of {} limited to the smaller radius", limited,
                      quantity(contacts, "neck was", "necks were"));

@@ -10,6 +10,9 @@
 
 namespace superstep {
 
+/// Appends those of `more` that are not said yet: several fields find the same about a material.
+void add_warnings(const std::vector<std::string>& more, std::vector<std::string>& all);
+
 /// One sentence per finding; empty for a healthy scene.
 [[nodiscard]] std::vector<std::string> range_warnings(const Scene& scene);
 

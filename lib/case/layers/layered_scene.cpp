@@ -180,7 +180,7 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
     nodes.reader().root().finish();
   });
   list_warnings(nodes, facts, limited, scene);
-  scene.warnings.insert(scene.warnings.end(), field.warnings.begin(), field.warnings.end());
+  add_warnings(field.warnings, scene.warnings);
   list_skips(facts, scene);
   return scene;
 }
