@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
+#include "results/results_json.hpp"
 #include "results/text/json_object.hpp"
 
 namespace superstep {
@@ -49,7 +50,7 @@ MeasuredRow row_of(const JsonObject& json) {
 }
 
 ResultsFile read_from(const std::string& path) {
-  const auto parsed = parse_results(path, "superstep.results", 1);
+  const auto parsed = parse_results(path, schema_of_results, results_schema_version);
   const JsonObject json(path, parsed);
   ResultsFile file;
   file.path = path;

@@ -21,9 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::optional<Json> read_json(const std::string& path, const std::string& schema, int newest = 1) {
+constexpr int health_version = 1;
+
+std::optional<Json> read_json(const std::string& path, const std::string& schema, int version) {
   if (!is_regular_file(path)) return std::nullopt;
-  return parse_results(path, schema, newest);
+  return parse_results(path, schema, version);
 }
 
 /// What the page shows of a case's health, so that a value of another type is found while the file is known.
@@ -48,7 +50,7 @@ void read_benchmark(ReportInput& input) {
   input.bench = read_results_json(path);
   auto observations = read_observations(input.folder);
   const std::string health_file = input.folder + "/health.json";
-  const auto health = read_json(health_file, "superstep.health");
+  const auto health = read_json(health_file, "superstep.health", health_version);
   for (auto& one : input.bench->cases) {
     CaseInput out{.bench = std::move(one), .health = {}, .work_precision = {}};
     out.bench.observations = std::move(observations[out.bench.name]);
@@ -91,22 +93,10 @@ void read_studies(ReportInput& input) {
   }
 }
 
-void require_version(const Json& json, const std::string& path) {
-  const auto version = json.find("schema_version");
-  if (version != json.end() && *version == stability_schema_version) return;
-  throw InputError(
-      fmt::format("{}: schema_version is {}, and only version {} of 'superstep.stability' can be read; write "
-                  "it anew with "
-                  "superstep stability CASE --out {}",
-                  path, version == json.end() ? "missing" : version->dump(), stability_schema_version,
-                  fs::path(path).parent_path().string()));
-}
-
 void read_stability(ReportInput& input) {
   StabilityInput out;
   const std::string file = input.folder + "/stability.json";
   out.summary = read_json(file, "superstep.stability", stability_schema_version);
-  if (out.summary) require_version(*out.summary, file);
   if (out.summary) check_stability(JsonObject(file, *out.summary));
   for (const char* name : {"methods", "critical_step", "rounding", "sweeps", "states"})
     if (const std::string table = fmt::format("{}/stability_{}.csv", input.folder, name);

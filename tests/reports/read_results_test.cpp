@@ -1,7 +1,9 @@
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "reports/gate/results_file.hpp"
 #include "results/observations_csv.hpp"
 #include "results/read_motion.hpp"
 #include "results/results_json.hpp"
@@ -56,9 +58,34 @@ TEST(ReadResults, RefusesWhatIsNotAResult) {
   EXPECT_NE(message(R"({"schema": "superstep.run"})").find("superstep.results"), std::string::npos);
   EXPECT_NE(message(R"({"schema": "superstep.results", "schema_version": 99})").find("newer"),
             std::string::npos);
-  EXPECT_NE(message(R"({"schema": "superstep.results", "cases": [{"case": 5}]})").find("results.json"),
+  EXPECT_NE(message(R"({"schema": "superstep.results", "schema_version": 1, "cases": [{"case": 5}]})")
+                .find("results.json"),
             std::string::npos);
   EXPECT_EQ(message(R"({"schema": "superstep.results", "schema_version": 1, "future": 1})"), "");
+}
+
+/// Every reader of a results file names the version that it finds and the one that it takes.
+TEST(ReadResults, RefusesAnotherVersion) {
+  const TemporaryFolder folder;
+  const std::vector<std::pair<std::string, std::string>> versions = {
+      {R"(, "schema_version": 0)", "schema_version is 0"},
+      {R"(, "schema_version": -1)", "schema_version is -1"},
+      {R"(, "schema_version": 1.5)", "schema_version is 1.5"},
+      {R"(, "schema_version": "1")", "schema_version is '\"1\"'"},
+      {R"(, "schema_version": null)", "schema_version is 'null'"},
+      {"", "schema_version is missing"}};
+  const auto expect_refused = [&](const char* schema, const auto& read) {
+    for (const auto& [version, said] : versions) {
+      const std::string path =
+          folder.write("file.json", fmt::format(R"({{"schema": "{}"{}}})", schema, version));
+      const std::string message = message_of<InputError>([&] { read(path); });
+      EXPECT_NE(message.find(said + ", and only version 1 of '" + schema + "' is read"), std::string::npos)
+          << message;
+    }
+  };
+  expect_refused("superstep.results", [](const std::string& path) { (void)read_results_json(path); });
+  expect_refused("superstep.results", [](const std::string& path) { (void)read_results(path); });
+  expect_refused("superstep.run", [](const std::string& path) { (void)read_run_json(path); });
 }
 
 TEST(ReadObservations, GiveBackWhatWasWritten) {

@@ -17,6 +17,18 @@ std::string shown(const Json& value) {
   return superstep::in_quotes(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+void require_version(const std::string& file, const Json& json, const std::string& schema, int version) {
+  const auto found = json.find("schema_version");
+  if (found != json.end() && *found == version) return;
+  const bool is_newer = found != json.end() && found->is_number() && *found > version;
+  throw InputError(fmt::format("{}: schema_version is {}, and only version {} of '{}' is read here; {}", file,
+                               found == json.end()  ? "missing"
+                               : found->is_number() ? found->dump()
+                                                    : shown(*found),
+                               version, schema,
+                               is_newer ? "it is newer: update superstep" : "write the file anew"));
+}
+
 }  // namespace
 
 JsonObject::JsonObject(std::string file, const Json& json, std::string path)
@@ -125,13 +137,11 @@ Json parse_json_file(const std::string& file) {
   return json;
 }
 
-Json parse_results(const std::string& file, const std::string& schema, int newest) {
+Json parse_results(const std::string& file, const std::string& schema, int version) {
   Json json = parse_json_file(file);
   if (!json.is_object() || JsonObject(file, json).text("schema") != schema)
     throw InputError(fmt::format("{}: its schema is not '{}'; give the folder of a result", file, schema));
-  const JsonObject root(file, json);
-  if (root.count<int>("schema_version").value_or(0) > newest)
-    throw InputError(fmt::format("{}: its schema version is newer than {}; update superstep", file, newest));
+  require_version(file, json, schema, version);
   return json;
 }
 

@@ -62,9 +62,9 @@ class JsonObject {
 /// through such a value goes as deep into the stack.
 [[nodiscard]] nlohmann::ordered_json parse_json_file(const std::string& file);
 
-/// Parses a results file. Throws InputError unless it is an object with this "schema" and a "schema_version"
-/// up to `newest`.
+/// Parses a results file. Throws InputError unless it is an object with this "schema" and this
+/// "schema_version": another one has keys that mean something else.
 [[nodiscard]] nlohmann::ordered_json parse_results(const std::string& file, const std::string& schema,
-                                                   int newest);
+                                                   int version);
 
 }  // namespace superstep
