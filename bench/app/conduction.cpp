@@ -113,6 +113,9 @@ PackingConduction assess_conduction(const Packing& packing, const std::string& f
   const auto effective = effective_conductivity(scene, scene.fields.front());
   out.between_layers = effective.value;
   out.note = effective.note;
+  out.basis = effective.basis;
+  out.length = effective.length;
+  out.area = effective.area;
   out.passes = !effective.value || *effective.value > 0;
   out.periodic = under_mean_gradient(packing, settings, settings.axis);
   out.time = two_digits(transit_time(scene, settings.axis, out.between_layers));

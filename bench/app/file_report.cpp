@@ -44,6 +44,14 @@ std::vector<std::string> names_of(const std::vector<PackingAttribute>& attribute
   return names;
 }
 
+/// What a conductivity under a mean gradient is for.
+std::string cell_words(const Cell& cell, char axis) {
+  const double length = cell.height(static_cast<std::size_t>(axis - 'x'));
+  return fmt::format(
+      "under a mean gradient over the whole periodic cell: {:.4g} m along {}, cross-section {:.4g} m2",
+      length, axis, cell.volume() / length);
+}
+
 std::string packing_text(const Packing& packing, const std::string& path,
                          const std::optional<PackingConduction>& conduction) {
   const auto [smallest, largest] = std::minmax_element(packing.radius.begin(), packing.radius.end());
@@ -77,11 +85,12 @@ std::string packing_text(const Packing& packing, const std::string& path,
                                        quantity(conduction->isolated, "particle")));
   if (conduction->periodic)
     out += row(fmt::format("effective conductivity along {}", conduction->axis),
-               value(conduction->periodic) + ", under a mean gradient in the periodic cell");
+               value(conduction->periodic) + ", " + cell_words(*packing.cell, conduction->axis));
   out += row(conduction->periodic ? "" : fmt::format("effective conductivity along {}", conduction->axis),
              value(conduction->between_layers) +
                  (conduction->periodic ? ", cut open, between layers at both ends" : "") +
                  (conduction->note.empty() ? "" : "; " + conduction->note));
+  if (!conduction->basis.empty()) out += row("", conduction->basis);
   if (!conduction->passes) return out;
   out += row("heat passes in about", fmt::format("{:g} s", conduction->time));
   out += row("recommended over that time", conduction->method);
@@ -90,6 +99,10 @@ std::string packing_text(const Packing& packing, const std::string& path,
 
 Json optional_number(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
+}
+
+Json positive_number(double value) {
+  return value > 0 ? Json(value) : Json(nullptr);
 }
 
 std::string packing_json(const Packing& packing, const std::string& path,
@@ -117,6 +130,8 @@ std::string packing_json(const Packing& packing, const std::string& path,
                          {"isolated", conduction->isolated},
                          {"effective_conductivity", optional_number(conduction->between_layers)},
                          {"effective_conductivity_periodic", optional_number(conduction->periodic)},
+                         {"length_m", positive_number(conduction->length)},
+                         {"cross_section_m2", positive_number(conduction->area)},
                          {"note", conduction->note},
                          {"transit_time_s", conduction->passes ? Json(conduction->time) : Json(nullptr)},
                          {"recommended", conduction->passes ? Json(conduction->method) : Json(nullptr)}};

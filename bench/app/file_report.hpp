@@ -17,7 +17,9 @@ struct PackingConduction {
   std::size_t components = 0;            ///< of particles that touch
   std::size_t isolated = 0;              ///< particles without a contact
   std::optional<double> between_layers;  ///< W/(m K), between layers at both ends
-  std::string note;                      ///< why there is none, or what was assumed
+  std::string note;                      ///< why there is none, or why it is 0
+  std::string basis;                     ///< the length and the cross-section that it is for, in words
+  double length = 0, area = 0;           ///< m, m2; 0 where `basis` is empty
   std::optional<double>
       periodic;        ///< W/(m K), under a mean gradient, where the packing is periodic along the axis
   bool passes = true;  ///< false where no path of contacts leads from side to side

@@ -87,6 +87,7 @@ void write_network(Text& text, const FieldHealth& field) {
              field.effective_note.empty() ? "" : " (" + field.effective_note + ")");
   else
     text.row("effective conductivity", "none: {}", field.effective_note);
+  if (!field.effective_basis.empty()) text.row("", "{}", field.effective_basis);
   if (!field.electrodes) return;
   const auto& electrodes = *field.electrodes;
   text.row("electrodes", "{:.4g} V, {:.6g} A in, {:.6g} A out", electrodes.voltage, electrodes.current_in,
@@ -148,6 +149,10 @@ nlohmann::json optional_number(const std::optional<double>& value) {
   return value ? finite_or_null(*value) : nlohmann::json(nullptr);
 }
 
+nlohmann::json positive_or_null(double value) {
+  return value > 0 ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
 nlohmann::json electrodes_json(const ElectrodeFacts& facts) {
   return {{"voltage_v", facts.voltage},
           {"current_in_a", facts.current_in},
@@ -187,6 +192,8 @@ nlohmann::json field_json(const FieldHealth& field) {
       {"conductance", {{"min", field.conductance_min}, {"max", field.conductance_max}}},
       {"lumping_median", optional_number(field.lumping_median)},
       {"effective_conductivity", optional_number(field.effective_conductivity)},
+      {"effective_length_m", positive_or_null(field.effective_length)},
+      {"effective_cross_section_m2", positive_or_null(field.effective_area)},
       {"electrodes", field.electrodes ? electrodes_json(*field.electrodes) : nlohmann::json(nullptr)}};
   if (!field.steady) json.update(stiffness_json(field));
   return json;

@@ -78,9 +78,20 @@ TEST_F(FileReport, SaysWhatAPackingIsAndHowItConducts) {
   const std::string recommended = json["conduction"]["recommended"];
   EXPECT_NE(recommended.find(" for an error of 0.0001 of the span, because it costs"), std::string::npos)
       << recommended;
+  ASSERT_EQ(run("info p.dump --conductivity 85 --density 5910 --axis z"), 0) << err();
+  expect_out("over the whole periodic cell: 0.0095 m along z, cross-section 5.776e-05 m2\n");
+  expect_out(
+      "over 0.0076 m along z, from centre to centre of the innermost particles held; cross-section 5.776e-05 "
+      "m2 "
+      "of the periodic cell\n");
+  EXPECT_NEAR(json["conduction"]["cross_section_m2"].get<double>(), 5.776e-5, 1e-15);
+  EXPECT_NEAR(json["conduction"]["length_m"].get<double>(), 7.6e-3, 1e-12);
   write_dump("ff ff ff");
   ASSERT_EQ(run("info p.dump --conductivity 85"), 0) << err();
-  expect_out("cross-section taken from the bounding box");
+  expect_out(
+      "over 0.0076 m along z, from centre to centre of the innermost particles held; cross-section 5.929e-05 "
+      "m2 "
+      "of the bounding box of all surfaces\n");
   EXPECT_EQ(out().find("container"), std::string::npos) << "there is no case to state one in: " << out();
 }
 

@@ -1,5 +1,7 @@
 #include "case/checks/effective.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -79,6 +81,17 @@ double box_area(const Packing& packing, int axis) {
   }
   const std::array<double, 3> area = {size.y * size.z, size.x * size.z, size.x * size.y};
   return area[static_cast<std::size_t>(axis)];
+}
+
+/// What `box_area` has taken.
+std::string box_words(const Packing& packing, int axis) {
+  int joined = 0;
+  for (int other = 0; other < 3; ++other)
+    if (other != axis && packing.cell && packing.cell->periodic[static_cast<std::size_t>(other)]) ++joined;
+  return joined == 2 ? "the periodic cell"
+         : joined == 1
+             ? "the periodic cell along one side, of the bounding box of all surfaces along the other"
+             : "the bounding box of all surfaces";
 }
 
 /// Steady values on all nodes, of fixed values alone. Throws NumericalError.
@@ -182,11 +195,12 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
   const bool stated = scene.packed->container && axis == 2;
   out.length = gap;
   out.area = stated ? scene.packed->container->cross_section : box_area(packing, axis);
-  const bool walled = !scene.packed->packing.cell || !scene.packed->packing.cell->is_periodic();
-  if (!stated && walled) {
-    out.note = "cross-section taken from the bounding box";
-    out.advice = "state [packing] container for a cylinder";
-  }
+  out.basis = fmt::format(
+      "over {:.4g} m along {}, from centre to centre of the innermost particles held; cross-section {:.4g} "
+      "m2 of {}",
+      gap, "xyz"[axis], out.area, stated ? "the stated container" : box_words(packing, axis));
+  const bool walled = !packing.cell || !packing.cell->is_periodic();
+  if (!stated && walled) out.advice = "state [packing] container for a cylinder";
   out.value = out.flow * gap / (out.area * (high - low));
   return out;
 }

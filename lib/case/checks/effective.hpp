@@ -13,11 +13,9 @@ struct EffectiveConductivity {
   double flow = 0;              ///< W or A, from the higher to the lower value
   double length = 0;            ///< m, between the facing innermost centres of the two layers
   double area = 0;              ///< m^2
-  std::string note;             ///< why there is no value, or what was assumed
-  std::string advice;           ///< to the author of the case, about what was assumed
-
-  /// Both.
-  [[nodiscard]] std::string note_and_advice() const { return advice.empty() ? note : note + "; " + advice; }
+  std::string note;             ///< why there is no value, or why it is 0
+  std::string basis;            ///< the length and the cross-section that it is for, in words
+  std::string advice;           ///< to the author of the case, about the cross-section
 };
 
 /// What a steady current between two electrodes does, at the conductivities' reference values.

@@ -150,7 +150,10 @@ FieldHealth assess_field(const Scene& scene, const FieldScene& field) {
   if (scene.packed) health.lumping_median = lumping_ratio(scene.packed->packing, field);
   const auto effective = effective_conductivity(scene, field);
   health.effective_conductivity = effective.value;
-  health.effective_note = effective.note_and_advice();
+  health.effective_note = effective.note;
+  health.effective_basis = effective.basis + (effective.advice.empty() ? "" : "; " + effective.advice);
+  health.effective_length = effective.length;
+  health.effective_area = effective.area;
   health.electrodes = electrode_facts(field);
   if (!field.steady) assess_stiffness(field, health);
   return health;

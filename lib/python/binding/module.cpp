@@ -106,7 +106,7 @@ py::dict effective(const BoundScene& bound, std::size_t field) {
   out["flow"] = found.flow;
   out["length"] = found.length;
   out["area"] = found.area;
-  out["note"] = found.note_and_advice();
+  out["note"] = found.note;
   return out;
 }
 
