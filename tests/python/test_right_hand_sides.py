@@ -98,6 +98,18 @@ class RightHandSides(unittest.TestCase):
         for t, power in ((0.0, 0.0), (0.25, 0.25), (1.5, 5.0)):
             np.testing.assert_allclose(scene.rhs(t, [0.0, 0.0]), [power, power / 2], atol=1e-15)
 
+    def test_inputs_hold_beyond_the_end(self):
+        sawtooth = {"times": [0.0, 0.4], "values": [0.0, 4.0], "period": 0.4}
+        given = {"t_end": 1.0, "capacity": [1.0, 2.0, 1.0], "fixed": [np.nan, np.nan, 0.0]}
+        edges = [[0, 1], [1, 2]]
+        heated = Scene.from_edges(edges, 1.0, **given, case={"network": {"source": sawtooth}})
+        for t in (1.0, 1.3, 50.0):
+            np.testing.assert_allclose(heated.rhs(t, [0.0, 0.0]), [2.0, 1.0], atol=1e-12)
+        held = {"fixed": [{"ids": [2], "value": sawtooth}]}
+        driven = Scene.from_edges(edges, 1.0, t_end=1.0, capacity=1.0, case={"network": held})
+        for t in (1.0, 1.3, 50.0):
+            np.testing.assert_allclose(driven.values("", t, [0.0, 0.0]), [0.0, 0.0, 2.0], atol=1e-12)
+
     def test_wrong_states_are_refused(self):
         scene = network()
         for y in ([1.0], np.zeros((1, 40)), np.zeros(41)):

@@ -49,7 +49,7 @@ void BoundScene::rhs(double t, std::span<const double> y, double* rates) {
   const auto state = state_of(y);
   std::vector<double> rate(state.size());
   scene_.rhs->ask_accuracy(0);  // as the scene states, whatever a run before had asked for
-  (*scene_.rhs)(t, state, rate);
+  (*scene_.rhs)(time_of_inputs(t), state, rate);
   unknowns_.rates_to_user(rate, rates);
 }
 
@@ -65,14 +65,14 @@ void BoundScene::jacobian(double t, std::span<const double> y, double* values) {
   const auto state = state_of(y);
   std::vector<double> own(pattern.source.size());
   scene_.rhs->ask_accuracy(0);
-  scene_.rhs->jacobian(t, state, own);
+  scene_.rhs->jacobian(time_of_inputs(t), state, own);
   for (std::size_t k = 0; k < own.size(); ++k) values[k] = own[pattern.source[k]];
 }
 
 std::vector<double> BoundScene::values_on_nodes(std::size_t field, double t, std::span<const double> y) {
   std::optional<Use> use;
   if (scene_.fields[field].steady) use.emplace(*this);  // it is solved for
-  return scene_.values_on_nodes(field, t, state_of(y));
+  return scene_.values_on_nodes(field, time_of_inputs(t), state_of(y));
 }
 
 BoundScene::Use::Use(BoundScene& bound) : bound_(bound) {

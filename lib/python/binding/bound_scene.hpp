@@ -1,6 +1,7 @@
 #pragma once
 /// A scene as Python holds it.
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -27,7 +28,8 @@ class BoundScene {
   [[nodiscard]] bool is_of_files() const noexcept { return is_of_files_; }
   [[nodiscard]] double cpu_setup() const noexcept { return cpu_setup_; }  ///< s
 
-  /// f(t, y) and values of the Jacobian on `jacobian_pattern`, among the user's unknowns.
+  /// f(t, y) and values of the Jacobian on `jacobian_pattern`, among the user's unknowns. Beyond t_end inputs
+  /// hold the values that they have there: solvers look a little further than they go.
   void rhs(double t, std::span<const double> y, double* rates);
   void jacobian(double t, std::span<const double> y, double* values);
   [[nodiscard]] const Unknowns::Pattern& jacobian_pattern();
@@ -55,6 +57,8 @@ class BoundScene {
 
  private:
   [[nodiscard]] std::vector<double> state_of(std::span<const double> y) const;
+  /// When inputs are taken: those that repeat are written out up to t_end alone.
+  [[nodiscard]] double time_of_inputs(double t) const noexcept { return std::min(t, scene_.t_end); }
 
   TomlTable root_;
   double cpu_setup_;

@@ -279,12 +279,16 @@ class Scene:
     def rhs(self, t: float, y: ArrayLike) -> NDArray[np.float64]:
         """dy/dt = f(t, y), (m,) in K/s or V/s: what every method integrates, and ``scipy.integrate.solve_ivp`` takes.
 
-        t: s. y: (m,) K or V. Raises InputError for another shape.
+        t: s; beyond t_end inputs that change in time hold the values that they have there. y: (m,) K or V.
+        Raises InputError for another shape.
         """
         return self._core.rhs(t, y)
 
     def jacobian_data(self, t: float, y: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int32]]:
-        """df/dy in compressed columns: data in 1/s, indices, indptr; rows ascend, the diagonal is always there."""
+        """df/dy in compressed columns: data in 1/s, indices, indptr; rows ascend, the diagonal is always there.
+
+        Beyond t_end as in ``rhs``.
+        """
         return self._core.jacobian(t, y)
 
     def jacobian(self, t: float, y: ArrayLike) -> csc_matrix:
@@ -297,7 +301,7 @@ class Scene:
     def values(self, field: str, t: float, y: ArrayLike) -> NDArray[np.float64]:
         """(n,) values of a field on all nodes at unknowns y, K or V: computed, fixed, idle and eliminated ones.
 
-        A field that is steady is solved for. field: "" = the first.
+        A field that is steady is solved for. field: "" = the first. Beyond t_end as in ``rhs``.
         """
         return self._core.values_on_nodes(self._index(field), t, y)
 
