@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/text/quantity.hpp"
 #include "integrators/costs/models.hpp"
 #include "integrators/registry.hpp"
 
@@ -17,15 +19,17 @@ class Automatic final : public Method {
   explicit Automatic(const Options& options) : rtol_(options.number("rtol")) {}
 
   void prepare(Rhs& rhs, const Task& task) override {
-    const std::string spec = choose(rhs, task);
+    const auto& [spec, reason] = choose(rhs, task);
     // The same method goes on with what a settled field leaves behind, and knows that it does.
     if (!method_ || spec != spec_) method_ = make_method(spec);
     spec_ = spec;
     own_ = task;  // with the tolerance of the method chosen, which may keep it
     for (double& allowed : own_.allowed) allowed *= method_->rtol() / rtol_;
     method_->prepare(rhs, own_);
-    if (const std::string inner = method_->choice(); spec.starts_with("exponential") && !inner.empty())
-      choice_ += "; " + inner;
+    // Of what the exponential says for its basis the name alone: its costs are among those compared here.
+    const std::string inner = method_->choice();
+    const bool has_basis = spec.starts_with("exponential") && !inner.empty();
+    choice_ = spec + (has_basis ? "," + inner.substr(0, inner.find(',')) : "") + reason;
   }
   [[nodiscard]] double rtol() const override { return rtol_; }
   [[nodiscard]] OneStepMethod* one_step() override { return method_->one_step(); }
@@ -39,21 +43,23 @@ class Automatic final : public Method {
   [[nodiscard]] std::string choice() const override { return choice_; }
 
  private:
-  std::string choose(Rhs& rhs, const Task& task) {
+  struct Choice {
+    std::string spec, reason;
+  };
+  [[nodiscard]] Choice choose(Rhs& rhs, const Task& task) const {
     const Work work = work_of(rhs, task.t_begin, task.plan->output_times);
     const CostConstants& constants = fitted_constants();
     const auto all = candidates(work, rtol_, constants);
-    std::string spec = spec_of(all.front(), work);
+    const std::string spec = spec_of(all.front(), work);
     // The exponential chooses its basis itself; what is compared with is another method.
     const auto other = std::find_if(all.begin(), all.end(), [&](const Candidate& one) {
       return method_of(spec_of(one, work)) != method_of(spec);
     });
     const double sweep = sweep_seconds(work, constants);
-    choice_ = fmt::format(
-        "{} for an error of {:g} of the span, because it costs about {:.0f} sweeps over the network; {} "
-        "would cost the work of {:.0f}",
-        spec, rtol_, all.front().seconds / sweep, method_of(spec_of(*other, work)), other->seconds / sweep);
-    return spec;
+    const double own = all.front().seconds / sweep, others = other->seconds / sweep;
+    return {spec, fmt::format(" for an error of {:g} of the span is the work of about {}; {} would be {:.0f}",
+                              rtol_, quantity(std::lround(own), "sweep"), method_of(spec_of(*other, work)),
+                              others)};
   }
   [[nodiscard]] static std::string method_of(const std::string& spec) {
     return spec.substr(0, spec.find(':'));
