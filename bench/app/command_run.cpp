@@ -108,6 +108,14 @@ std::string summary(const Scene& scene, const MethodSpec& method, const RunResul
                      folder, choice);
 }
 
+/// Where the states are that a case with several output times asks for; empty where they are all kept.
+std::string kept_states(const Scene& scene, bool vtk) {
+  if (vtk || !scene.own_output_times || scene.output_times.size() < 2) return {};
+  return fmt::format(
+      "of the states at {} output times final.csv keeps the last; {}the Python module hands out all",
+      scene.output_times.size(), scene.packed ? "--vtk writes all, and " : "");
+}
+
 Command from_line(const Arguments& values) {
   RunCommand command{.common = common_options(values),
                      .case_file = single_case(values, "run"),
@@ -137,6 +145,7 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   const std::vector<OutputFolder> locked(folders.begin(), folders.end());
   const bool quiet = command.common.quiet;
   if (!quiet) warn(scene.warnings);
+  if (const std::string where = kept_states(scene, command.vtk); !quiet && !where.empty()) note(where);
   catch_interrupts();
 
   Progress progress(!quiet && stderr_is_terminal());

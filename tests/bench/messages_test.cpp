@@ -31,5 +31,26 @@ TEST_F(Program, CountsAgreeWithTheirNouns) {
   EXPECT_TRUE(out().starts_with("**The run succeeded.**\n")) << out();
 }
 
+TEST_F(Program, RunSaysWhereTheStatesAtOutputTimesAre) {
+  const auto says = [&](const std::string& arguments, const std::string& part) {
+    EXPECT_EQ(run("run " + arguments), 0) << err();
+    return err().find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(says("rod.toml", "of the states at 3 output times final.csv keeps the last; the Python module"))
+      << err();
+  EXPECT_FALSE(says("rod.toml --quiet", "output times"));
+  folder_.write("row.csv", "id,x,y,z,radius\n1,0,0,0.01,0.0102\n2,0,0,0.03,0.0102\n3,0,0,0.05,0.0102\n");
+  const std::string rest =
+      "t_end = 1\n[packing]\nfile = \"row.csv\"\n[material]\ndensity = 5000\n[contact]\nneck = \"hertz\"\n"
+      "[thermal]\nconductivity = 50\nspecific_heat = 500\ninitial = 300.0\n"
+      "fixed = [ { where = { ids = [1] }, value = 310.0 } ]\n";
+  folder_.write("one.toml", rest);
+  folder_.write("two.toml", "output_times = [0.5, 1]\n" + rest);
+  EXPECT_FALSE(says("one.toml", "output times")) << err();
+  EXPECT_TRUE(says("two.toml", "of the states at 2 output times final.csv keeps the last; --vtk writes"))
+      << err();
+  EXPECT_FALSE(says("two.toml --vtk", "output times")) << err();
+}
+
 }  // namespace
 }  // namespace superstep
