@@ -7,6 +7,8 @@ namespace {
 
 constexpr double minute = 60, hour = 3600, day = 24 * hour, year = 365 * day;  // s
 
+}  // namespace
+
 std::string duration_text(double seconds) {
   if (seconds < 2 * minute) return fmt::format("{:.0f} s", seconds);
   if (seconds < 2 * hour) return fmt::format("{:.0f} minutes", seconds / minute);
@@ -14,8 +16,6 @@ std::string duration_text(double seconds) {
   if (seconds < 2 * year) return fmt::format("{:.0f} days", seconds / day);
   return fmt::format("{:.2g} years", seconds / year);
 }
-
-}  // namespace
 
 std::string forecast_text(const std::string& spec, double part, double seconds, double allowed,
                           const std::string& faster) {

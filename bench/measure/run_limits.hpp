@@ -15,6 +15,9 @@ struct RunLimits {
   std::function<void(const std::string& forecast)> say = {};
 };
 
+/// A time in words: "90 s", "3 minutes", "4 hours".
+[[nodiscard]] std::string duration_text(double seconds);
+
 /// What to say of a run after its first seconds; empty when it will soon be over.
 ///   spec      the method
 ///   part      of the simulated time that is done, 0 to 1

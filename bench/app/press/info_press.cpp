@@ -9,6 +9,8 @@
 #include <numeric>
 
 #include "bench/app/press/press_commands.hpp"
+#include "bench/measure/run_limits.hpp"
+#include "bench/press/press_forecast.hpp"
 #include "dynamics/laws/damping.hpp"
 #include "dynamics/volume_fraction.hpp"
 #include "results/text/json_object.hpp"
@@ -24,6 +26,7 @@ struct PressFacts {
   double contact_time = 0;      ///< m C/(kappa A/d) of a pair at 10 % overlap [s]
   double motion_time = 0;       ///< sqrt(m/k) of the same pair, cold [s]
   double largest_current = 0;   ///< A
+  PressForecast forecast;
 };
 
 PressFacts facts_of(const Press& one) {
@@ -50,10 +53,8 @@ PressFacts facts_of(const Press& one) {
   const double capacity = mass * model.thermal.specific_heat;
   if (model.thermal.conductivity > 0)
     facts.contact_time = capacity * distance / (model.thermal.conductivity * area);
-  const double force = dynamics::contact_force(model.contact, -strain, area, one.state.temperature[small]);
-  if (force > 0)
-    facts.motion_time =
-        std::sqrt(mass / dynamics::contact_slope(force, model.contact.exponent, strain, 2 * r));
+  facts.motion_time = pair_oscillation(one);
+  facts.forecast = forecast_press(one);
   if (model.electric.model == dynamics::CurrentModel::averaging) {
     for (const auto& phase : model.schedule.phases())
       for (const auto& current : {phase.lower, phase.upper})
@@ -75,6 +76,14 @@ const char* unit_of(const Press& one) {
   return one.model.electric.model == dynamics::CurrentModel::potential ? "V" : "A";
 }
 
+/// About how long a run would take; what takes over an hour is worth a warning.
+std::string forecast_words(const PressForecast& forecast) {
+  constexpr double hour = 3600;  // s
+  const std::string time = duration_text(std::max(1.0, forecast.cpu));
+  if (forecast.cpu <= hour) return time + " of CPU time";
+  return time + " of CPU time: run --time-limit stops it with a checkpoint, and run --restart goes on";
+}
+
 std::string info_text(const Press& one, const PressFacts& facts) {
   std::string text = fmt::format("{}\n  {}\n", one.name, one.title);
   const auto line = [&](const char* what, const std::string& value) {
@@ -93,6 +102,9 @@ std::string info_text(const Press& one, const PressFacts& facts) {
                                     ? std::string("the phi rule inside the iteration")
                                     : one.stepping.thermal_integrator);
   line("end", fmt::format("{} s", one.t_end));
+  line("steps, about",
+       fmt::format("{:.2g}, of {:.2g} s in the mean", facts.forecast.steps, facts.forecast.step));
+  line("a run takes about", forecast_words(facts.forecast));
   text += "  phase        from [s]   to [s]  upper wall [m]      current\n";
   for (const auto& phase : one.model.schedule.phases())
     text += fmt::format("  {:<12} {:>8.4g} {:>8.4g}  {:>7.4g} -> {:<7.4g}  {}\n", phase.name, phase.begin,
@@ -112,23 +124,26 @@ std::string info_json(const Press& one, const PressFacts& facts) {
                       {"upper_wall_end", phase.upper_wall},
                       {"lower", phase.lower ? Json(*phase.lower) : Json(nullptr)},
                       {"upper", phase.upper ? Json(*phase.upper) : Json(nullptr)}});
-  const Json out = {{"schema", "superstep.press"},
-                    {"schema_version", 1},
-                    {"case", one.name},
-                    {"title", one.title},
-                    {"source", one.source},
-                    {"particles", one.particles.size()},
-                    {"volume", facts.volume},
-                    {"mass", facts.mass},
-                    {"volume_fraction_start", facts.fraction_start},
-                    {"volume_fraction_pressed", facts.fraction_pressed},
-                    {"pair_oscillation_s", facts.motion_time},
-                    {"pair_heat_exchange_s", facts.contact_time},
-                    {"joule_rate", facts.joule_rate},
-                    {"thermal_integrator", one.stepping.thermal_integrator},
-                    {"t_end", one.t_end},
-                    {"electrode_unit", unit_of(one)},
-                    {"phases", phases}};
+  const Json out = {
+      {"schema", "superstep.press"},
+      {"schema_version", 1},
+      {"case", one.name},
+      {"title", one.title},
+      {"source", one.source},
+      {"particles", one.particles.size()},
+      {"volume", facts.volume},
+      {"mass", facts.mass},
+      {"volume_fraction_start", facts.fraction_start},
+      {"volume_fraction_pressed", facts.fraction_pressed},
+      {"pair_oscillation_s", facts.motion_time},
+      {"pair_heat_exchange_s", facts.contact_time},
+      {"joule_rate", facts.joule_rate},
+      {"thermal_integrator", one.stepping.thermal_integrator},
+      {"t_end", one.t_end},
+      {"forecast",
+       {{"steps", facts.forecast.steps}, {"step_s", facts.forecast.step}, {"cpu_s", facts.forecast.cpu}}},
+      {"electrode_unit", unit_of(one)},
+      {"phases", phases}};
   return json_text(out);
 }
 
