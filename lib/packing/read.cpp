@@ -147,6 +147,10 @@ Packing read_packing(const std::string& path, const PackingOptions& options) {
   if (!options.atom_style.empty() && format.name != lammps_data_format().name)
     throw InputError(fmt::format("{}: atom_style is for LAMMPS/LIGGGHTS data, and {} is {}; leave it out",
                                  options.place.empty() ? path : options.place, path, format.name));
+  if (!options.columns.empty() && format.names_columns)
+    throw InputError(fmt::format(
+        "{}: columns is for files that do not name theirs, and {} is {}, which does; leave it out",
+        options.place.empty() ? path : options.place, path, format.name));
   Packing packing = format.read(file);
   packing.format = format.name;
   apply_box(options, path, packing);

@@ -44,9 +44,14 @@ double length_unit(const std::string& name, const std::string& where) {
 }
 
 std::optional<double> length_unit_of_column(const std::string& name) {
-  for (const char* micrometre :
-       {"\xC2\xB5m", "\xCE\xBCm", "\xB5m", "micron", "microns", "micrometer", "micrometre"})
+  // The micro sign, the Greek letter, and the sign in Latin-1; alone they are the old name of a micrometre.
+  for (const char* micrometre : {"\xC2\xB5m", "\xCE\xBCm", "\xB5m", "\xC2\xB5", "\xCE\xBC", "\xB5", "micron",
+                                 "microns", "micrometer", "micrometre", "micrometers", "micrometres"})
     if (name == micrometre) return 1e-6;
+  // The letter, large and small, the sign of the unit, and the letters in Latin-1.
+  for (const std::string letter : {"\xC3\x85", "\xC3\xA5", "\xE2\x84\xAB", "\xC5", "\xE5"})
+    if (name == letter || name == letter + "ngstrom" || name == letter + "ngstr\xC3\xB6m") return 1e-10;
+  if (name == "angstrom" || name == "angstroms") return 1e-10;
   if (name == "meter" || name == "metre" || name == "meters" || name == "metres") return 1.0;
   return look_up(lengths, name);
 }

@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "packing/read.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/packing_text.hpp"
 
 namespace superstep {
 namespace {
@@ -14,27 +12,10 @@ namespace {
 using Ids = std::vector<std::int64_t>;
 using Names = std::vector<std::string>;
 
-Packing read_as(const std::string& name, const std::string& content, const PackingOptions& options = {}) {
-  const test::TemporaryFolder folder;
-  return read_packing(folder.write(name, content), options);
-}
-
-std::string refusal(const std::string& content, const PackingOptions& options = {},
-                    const std::string& name = "p.txt") {
-  return test::message_of<InputError>([&] { (void)read_as(name, content, options); });
-}
-
-void expect_says(const std::string& message, const std::vector<std::string>& parts) {
-  for (const auto& part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos);
-}
-
-bool notes(const Packing& packing, const std::string& part) {
-  for (const auto& note : packing.notes)
-    if (note.find(part) != std::string::npos) return true;
-  return false;
-}
+using test::expect_says;
+using test::notes;
+using test::read_as;
+using test::refusal;
 
 /// The column of four spheres that most files here hold: z = 0.01, 0.03, 0.05, 0.07, radius 0.0102.
 void expect_column(const Packing& packing, const Ids& ids = {1, 2, 3, 4}) {

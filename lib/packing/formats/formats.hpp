@@ -32,6 +32,8 @@ struct PackingFormat {
   std::string name;                             ///< as messages and `superstep info` call it
   bool (*recognises)(const PackingFile& file);  ///< by its beginning, never by its name alone
   Packing (*read)(const PackingFile& file);
+  bool names_columns = false;  ///< always: nobody else need say what they are
+  bool ends_lines = false;     ///< as programs do, who write it: a last line without an end may be cut
 };
 
 /// LAMMPS/LIGGGHTS dump: the last frame, columns in any order, box and units as stated.

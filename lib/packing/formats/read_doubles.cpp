@@ -65,7 +65,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat doubles_format() {
-  return {"rows of four doubles", recognises, read};
+  return {"rows of four doubles", recognises, read, true};
 }
 
 }  // namespace superstep

@@ -182,6 +182,14 @@ AtomLayout choose_layout(const PackingFile& file, const DataHead& head, bool& re
   return plausible.choose(fmt::format("{}:{}", file.path, first_line));
 }
 
+/// The user may overrule the style that the file states, which may be wrong.
+void warn_of_other_style(const DataHead& head, const AtomLayout& layout, Packing& packing) {
+  if (head.style.empty() || head.style == "hybrid" || head.style == layout.style) return;
+  packing.warnings.push_back(
+      fmt::format("{}: section Atoms states the style {}; its columns are read as [packing] says: {}",
+                  head.place, head.style, fmt::join(layout.columns, " ")));
+}
+
 Packing read(const PackingFile& file) {
   const DataHead head = read_head(file);
   bool recognised = false;
@@ -209,6 +217,7 @@ Packing read(const PackingFile& file) {
       packing.notes.begin(),
       fmt::format("order of the columns: {} (atom style {}{})", fmt::join(layout.columns, " "), layout.style,
                   recognised ? ", the only one that fits every row" : ""));
+  if (!recognised) warn_of_other_style(head, layout, packing);
   if (head.velocities) read_velocities(file, *head.velocities, packing);
   if (head.cell && file.options.periodic == "auto")
     packing.notes.push_back(
@@ -220,7 +229,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat lammps_data_format() {
-  return {"LAMMPS/LIGGGHTS data", recognises, read};
+  return {"LAMMPS/LIGGGHTS data", recognises, read, false, true};
 }
 
 }  // namespace superstep

@@ -113,7 +113,7 @@ SphereLayout layout_of(const TextRow& header, const std::optional<Cell>& cell,
   for (std::size_t k = words; k < header.size(); ++k) layout.names.emplace_back(header[k]);
   layout.place = header.where();
   layout.header = "'ITEM: ATOMS'";
-  layout.lammps = true;
+  layout.rules.lammps = true;
   layout.cell = cell;
   layout.cell_binds = cell.has_value();
   layout.unit = std::move(unit);
@@ -168,7 +168,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat lammps_dump_format() {
-  return {"LAMMPS/LIGGGHTS dump", recognises, read};
+  return {"LAMMPS/LIGGGHTS dump", recognises, read, true, true};
 }
 
 }  // namespace superstep

@@ -92,7 +92,7 @@ Packing read(const PackingFile& file) {
   SphereRows rows(file, {.names = kind.columns,
                          .place = fmt::format("{}:{}", file.path, rows_of_frame.number()),
                          .header = "the format",
-                         .flat = kind.flat});
+                         .rules = {.flat = kind.flat}});
   for (std::int64_t k = 0; k < count; ++k) {
     rows_of_frame.next();
     row.split(rows_of_frame.line(), rows_of_frame.number());
@@ -110,7 +110,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat mercury_format() {
-  return {"MercuryDPM .data", recognises, read};
+  return {"MercuryDPM .data", recognises, read, true, true};
 }
 
 }  // namespace superstep

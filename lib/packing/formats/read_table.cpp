@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/number.hpp"
-#include "packing/formats/columns.hpp"
+#include "packing/formats/columns/columns.hpp"
+#include "packing/formats/columns/declared.hpp"
+#include "packing/formats/columns/known_names.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/sphere_rows.hpp"
 #include "packing/formats/stated.hpp"
@@ -57,6 +60,39 @@ std::vector<std::string> customary_names(const PackingFile& file, const Delimite
                   table.where(), table.width()));
 }
 
+/// Watches a column of time: rows of several time steps would lie on top of each other as one packing.
+class OneTimeStep {
+ public:
+  explicit OneTimeStep(const std::vector<std::string>& names) : names_(names) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+      for (const char* name : {"time", "timestep", "timevalue"})
+        if (name_without_unit(names[k]) == name) columns_.push_back(k);
+  }
+  void look_at(const DelimitedTable& table) {
+    if (columns_.empty()) return;
+    for (const std::size_t k : columns_) require_same(table, k);
+    first_line_ = first_line_ == 0 ? table.line() : first_line_;
+  }
+
+ private:
+  void require_same(const DelimitedTable& table, std::size_t column) {
+    const auto value = parse_number(table.cells()[column]);
+    if (!value) return;
+    const auto [entry, is_first] = first_.try_emplace(column, *value);
+    if (is_first || entry->second == *value) return;
+    throw InputError(fmt::format(
+        "{}: column '{}' is {}, and {} on line {}: the table holds several time steps, which would "
+        "lie on top of each other; export one of them, or rename the column if it is none of time "
+        "steps",
+        table.where(), names_[column], *value, entry->second, first_line_));
+  }
+
+  const std::vector<std::string>& names_;
+  std::vector<std::size_t> columns_;
+  std::map<std::size_t, double> first_;
+  std::size_t first_line_ = 0;
+};
+
 Packing read(const PackingFile& file) {
   DelimitedTable table(file.path, file.content);
   SphereLayout layout{.names = table.names(),
@@ -71,11 +107,16 @@ Packing read(const PackingFile& file) {
     if (declared.size() != table.width())
       throw InputError(fmt::format("{}: row has {} columns, and {} are declared: {}; declare every column",
                                    table.where(), table.width(), declared.size(), fmt::join(declared, ", ")));
+    require_same_meaning(file, table.names());
   } else if (customary) {
     layout.names = customary_names(file, table);
   }
+  OneTimeStep time(declared.empty() ? table.names() : declared);
   SphereRows rows(file, std::move(layout));
-  while (table.next()) rows.add(table.cells(), table.line());
+  while (table.next()) {
+    time.look_at(table);
+    rows.add(table.cells(), table.line());
+  }
   Packing packing = rows.finish();
   if (customary)
     packing.notes.insert(packing.notes.begin(), "no header: the columns are taken as " +

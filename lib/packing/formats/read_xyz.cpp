@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/number.hpp"
 #include "core/text/text_file.hpp"
+#include "packing/formats/columns/declared.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/recognise.hpp"
 #include "packing/formats/sphere_rows.hpp"
 #include "packing/formats/text_row.hpp"
+#include "packing/formats/xyz/xyz_comment.hpp"
 
 namespace superstep {
 namespace {
@@ -26,77 +27,17 @@ bool recognises(const PackingFile& file) {
   if (!lines.next()) return false;
   row.split(lines.line(), 1);
   if (row.size() != 1 || !parse_integer(row[0]) || !lines.next()) return false;
-  if (lower_case(lines.line()).find("properties=") != std::string::npos) return true;
+  if (xyz_pairs(lines.line()).contains("properties")) return true;
   if (!lines.next()) return false;
   row.split(lines.line(), 3);
   return row.size() >= 4 && !parse_number(row[0]);
 }
 
-/// `key=value` and `key="several values"` of the comment line, keys in lower case.
-std::map<std::string, std::string> pairs_of(std::string_view comment) {
-  std::map<std::string, std::string> out;
-  while (!comment.empty()) {
-    const std::size_t equals = comment.find('=');
-    if (equals == std::string_view::npos) break;
-    std::string_view key = trimmed(comment.substr(0, equals));
-    if (const auto blank = key.find_last_of(" \t"); blank != std::string_view::npos)
-      key.remove_prefix(blank + 1);
-    comment = comment.substr(equals + 1);
-    const bool in_quotes = !comment.empty() && comment.front() == '"';
-    if (in_quotes) comment.remove_prefix(1);
-    const std::size_t end = in_quotes ? comment.find('"') : comment.find_first_of(" \t");
-    out.emplace(lower_case(key), std::string(comment.substr(0, end)));
-    comment = end == std::string_view::npos ? std::string_view{} : comment.substr(end + (in_quotes ? 1 : 0));
-  }
-  return out;
-}
-
-/// Names of the columns from `Properties=species:S:1:pos:R:3:radius:R:1`.
-std::vector<std::string> property_names(const std::string& properties, const std::string& place) {
-  std::vector<std::string> parts;
-  std::string_view rest = properties;
-  for (bool more = true; more;) {
-    const std::size_t end = rest.find(':');
-    parts.emplace_back(rest.substr(0, end));
-    more = end != std::string_view::npos;
-    if (more) rest = rest.substr(end + 1);
-  }
-  std::vector<std::string> names;
-  constexpr std::int64_t most = 1000;  // columns of one property; more is a slip
-  for (std::size_t k = 0; k < parts.size(); k += 3) {
-    const auto count = k + 2 < parts.size() ? parse_integer(parts[k + 2]) : std::nullopt;
-    if (!count || *count < 1 || *count > most)
-      throw InputError(
-          fmt::format("{}: Properties is {}; it must be triples of name, kind and number of columns, as in "
-                      "species:S:1:pos:R:3:radius:R:1",
-                      place, in_quotes(properties)));
-    for (std::int64_t c = 0; c < *count; ++c)
-      names.push_back(*count == 1 ? parts[k] : fmt::format("{}:{}", parts[k], c));
-  }
-  return names;
-}
-
-std::optional<Cell> cell_of(const std::map<std::string, std::string>& pairs, const std::string& place) {
-  const auto lattice = pairs.find("lattice");
-  if (lattice == pairs.end()) return std::nullopt;
-  TextRow row(place);
-  row.split(lattice->second, 2);
-  const auto vector = [&](std::size_t k) {
-    return Vec3{row.number(k, "Lattice"), row.number(k + 1, "Lattice"), row.number(k + 2, "Lattice")};
-  };
-  row.require_size(9, "the three edges of the Lattice");
-  Cell cell{.origin = {}, .edge = {vector(0), vector(3), vector(6)}, .periodic = {true, true, true}};
-  if (const auto origin = pairs.find("origin"); origin != pairs.end()) {
-    row.split(origin->second, 2);
-    row.require_size(3, "the corner of the Lattice");
-    cell.origin = vector(0);
-  }
-  if (const auto pbc = pairs.find("pbc"); pbc != pairs.end()) {
-    row.split(pbc->second, 2);
-    row.require_size(3, "T or F along each edge of the Lattice");
-    for (std::size_t k = 0; k < 3; ++k) cell.periodic[k] = row[k] == "T" || row[k] == "1" || row[k] == "True";
-  }
-  return cell;
+/// Where the property `pos` has its three columns: it is the position by the format itself.
+std::optional<std::size_t> place_of_pos(const std::vector<std::string>& names) {
+  for (std::size_t k = 0; k + 2 < names.size(); ++k)
+    if (lower_case(names[k]) == "pos:0" && lower_case(names[k + 2]) == "pos:2") return k;
+  return std::nullopt;
 }
 
 struct Frame {
@@ -128,10 +69,14 @@ Packing read(const PackingFile& file) {
   Frame frame = last_frame(file);
   frame.lines.next();
   const std::string place = fmt::format("{}:{}", file.path, frame.lines.number());
-  const auto pairs = pairs_of(frame.lines.line());
+  const XyzPairs pairs = xyz_pairs(frame.lines.line());
   const auto properties = pairs.find("properties");
-  SphereLayout layout{.place = place, .header = "Properties", .cell = cell_of(pairs, file.path)};
+  SphereLayout layout{
+      .place = place, .header = "Properties", .cell = xyz_cell(pairs, file.path, frame.lines.number())};
   if (!file.options.columns.empty()) {
+    const auto own = properties == pairs.end() ? std::vector<std::string>{}
+                                               : xyz_property_names(properties->second, place);
+    if (own.size() == file.options.columns.size()) require_same_meaning(file, own);
     layout.names = file.options.columns;
     layout.header = "the declared columns";
   } else if (properties == pairs.end()) {
@@ -141,7 +86,8 @@ Packing read(const PackingFile& file) {
                     "of radii is there",
                     place));
   } else {
-    layout.names = property_names(properties->second, place);
+    layout.names = xyz_property_names(properties->second, place);
+    layout.rules.positions_at = place_of_pos(layout.names);
   }
   const std::size_t width = layout.names.size();
   const bool assumed = layout.cell && !pairs.contains("pbc");
@@ -162,7 +108,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat xyz_format() {
-  return {"extended XYZ", recognises, read};
+  return {"extended XYZ", recognises, read, false, true};
 }
 
 }  // namespace superstep

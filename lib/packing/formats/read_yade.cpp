@@ -108,7 +108,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat yade_format() {
-  return {"Yade text", recognises, read};
+  return {"Yade text", recognises, read, true, true};
 }
 
 }  // namespace superstep

@@ -18,6 +18,7 @@ namespace superstep {
 namespace {
 
 constexpr auto none = SphereColumns::none;
+constexpr double written_digits = 1e-3;  // relative; what stands twice is often written with few digits
 
 std::optional<StatedUnit> unit_of(const SphereLayout& layout, const SphereColumns& columns) {
   if (!columns.unit) return layout.unit;
@@ -71,8 +72,7 @@ std::optional<double> value_or_gap(double value) {
 SphereRows::SphereRows(const PackingFile& file, SphereLayout layout)
     : layout_(std::move(layout)),
       path_(file.path),
-      columns_(
-          find_sphere_columns(layout_.names, layout_.lammps, layout_.flat, layout_.place, layout_.header)),
+      columns_(find_sphere_columns(layout_.names, layout_.rules, layout_.place, layout_.header)),
       unit_(choose_unit(file, unit_of(layout_, columns_), head_)),
       builder_(file.path, unit_, layout_.row),
       is_text_(columns_.attributes.size(), 0) {
@@ -105,18 +105,40 @@ std::int64_t SphereRows::id(std::span<const Value> cells, std::size_t line) cons
 
 template <class Value>
 double SphereRows::radius(std::span<const Value> cells, std::size_t line) const {
-  if (columns_.radius == none) return columns_.size_factor * 0.5 * number(cells, columns_.diameter, line);
-  const double value = number(cells, columns_.radius, line);
-  if (columns_.diameter != none) {
-    constexpr double written_digits = 1e-3;  // relative; both are often written with few digits
-    const double diameter = number(cells, columns_.diameter, line);
-    if (std::abs(diameter - 2 * value) > written_digits * diameter)
-      throw InputError(
-          fmt::format("{}: radius is {} and diameter {}; the one must be half of the other: correct it, or "
-                      "remove the wrong column",
-                      builder_.where(line), value, diameter));
-  }
-  return columns_.size_factor * value;
+  if (columns_.radius == none) return columns_.diameter_unit * 0.5 * number(cells, columns_.diameter, line);
+  const double value = number(cells, columns_.radius, line), size = columns_.radius_unit * value;
+  if (columns_.diameter == none) return size;
+  const double diameter = number(cells, columns_.diameter, line);
+  if (std::abs(columns_.diameter_unit * diameter - 2 * size) > written_digits * 2 * std::abs(size))
+    throw InputError(
+        fmt::format("{}: radius is {} and diameter {} in columns '{}' and '{}'; the one must be half of the "
+                    "other: correct it, or remove the wrong column",
+                    builder_.where(line), value, diameter, layout_.names[columns_.radius],
+                    layout_.names[columns_.diameter]));
+  return size;
+}
+
+template <class Value>
+Vec3 SphereRows::point(std::span<const Value> cells, const SphereColumns::Axes& axes,
+                       std::size_t line) const {
+  return {number(cells, axes[0], line), number(cells, axes[1], line),
+          axes[2] == none ? 0.0 : number(cells, axes[2], line)};
+}
+
+/// Under two kinds of names stand the same numbers, or nobody can know which are meant.
+template <class Value>
+void SphereRows::require_one_position(std::span<const Value> cells, Vec3 centre, double size,
+                                      std::size_t line) const {
+  if (columns_.second_position[0] == none) return;
+  const Vec3 other = columns_.second_unit * point(cells, columns_.second_position, line);
+  if (norm(other - centre) <= written_digits * (norm(centre) + size)) return;
+  const auto names = [&](const SphereColumns::Axes& axes) {
+    return fmt::format("'{}', '{}', ...", layout_.names[axes[0]], layout_.names[axes[1]]);
+  };
+  throw InputError(
+      fmt::format("{}: the position of {} is not that of {}; remove or rename the columns that are no "
+                  "positions",
+                  builder_.where(line), names(columns_.position), names(columns_.second_position)));
 }
 
 void SphereRows::set_material(std::string_view name, std::size_t line) {
@@ -148,10 +170,11 @@ void SphereRows::add_attributes(std::span<const Value> cells) {
 
 template <class Value>
 void SphereRows::add_row(std::span<const Value> cells, std::size_t line) {
-  Vec3 centre{number(cells, columns_.x, line), number(cells, columns_.y, line),
-              layout_.flat ? 0.0 : number(cells, columns_.z, line)};
+  Vec3 centre = point(cells, columns_.position, line);
   if (columns_.is_scaled()) centre = layout_.cell->point(centre);
-  builder_.add(line, id(cells, line), centre, radius(cells, line));
+  const double size = radius(cells, line);
+  require_one_position(cells, centre, size, line);
+  builder_.add(line, id(cells, line), centre, size);
   if (columns_.material != none) {
     if constexpr (std::is_same_v<Value, double>)
       set_material(word_of(cells[columns_.material]), line);
@@ -191,7 +214,7 @@ void SphereRows::note_columns(Packing& packing) const {
     note(fmt::format("column '{}' is the material", layout_.names[columns_.material]));
   if (columns_.is_scaled()) note("positions are parts of the box");
   if (columns_.is_unwrapped()) note("positions are unwrapped");
-  if (layout_.flat) note("two dimensions: discs are read as spheres with z = 0");
+  if (layout_.rules.flat) note("two dimensions: discs are read as spheres with z = 0");
   if (!kept.empty()) note(fmt::format("kept as attributes: {}", fmt::join(kept, ", ")));
   if (!dropped.empty()) note(fmt::format("left out, since they hold text: {}", fmt::join(dropped, ", ")));
   if (!columns_.row_numbers.empty()) note("a column without a name is left out: row numbers");

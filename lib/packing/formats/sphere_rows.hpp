@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "packing/formats/columns.hpp"
+#include "packing/formats/columns/columns.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/packing_builder.hpp"
 
@@ -19,8 +19,7 @@ struct SphereLayout {
   std::vector<std::string> names = {};  ///< of the columns
   std::string place;                    ///< "file:line" of the names
   std::string header;                   ///< what they stand in, for messages, as in "'ITEM: ATOMS'"
-  bool lammps = false;                  ///< positions may be scaled or unwrapped
-  bool flat = false;                    ///< two dimensions: z = 0
+  ColumnRules rules = {};
   std::optional<Cell> cell = {};        ///< in units of the file
   bool cell_binds = false;              ///< particles far outside it are an error
   std::optional<StatedUnit> unit = {};  ///< that the format states
@@ -49,6 +48,12 @@ class SphereRows {
   [[nodiscard]] std::int64_t id(std::span<const Value> cells, std::size_t line) const;
   template <class Value>
   [[nodiscard]] double radius(std::span<const Value> cells, std::size_t line) const;
+  /// The position in units of the file, of these columns.
+  template <class Value>
+  [[nodiscard]] Vec3 point(std::span<const Value> cells, const SphereColumns::Axes& axes,
+                           std::size_t line) const;
+  template <class Value>
+  void require_one_position(std::span<const Value> cells, Vec3 centre, double size, std::size_t line) const;
   template <class Value>
   void add_attributes(std::span<const Value> cells);
   void set_material(std::string_view name, std::size_t line);

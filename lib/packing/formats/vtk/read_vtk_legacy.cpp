@@ -220,7 +220,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat vtk_legacy_format() {
-  return {"VTK legacy", recognises, read};
+  return {"VTK legacy", recognises, read, true, true};
 }
 
 }  // namespace superstep

@@ -17,7 +17,7 @@ Packing read(const PackingFile& file) {
 }  // namespace
 
 PackingFormat vtk_xml_format() {
-  return {"VTK XML (VTP, VTU)", recognises, read};
+  return {"VTK XML (VTP, VTU)", recognises, read, true};
 }
 
 }  // namespace superstep

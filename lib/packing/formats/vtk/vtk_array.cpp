@@ -80,8 +80,11 @@ void append_values(std::string_view bytes, VtkType type, bool big_endian, std::v
 
 Packing packing_of_points(const PackingFile& file, const std::vector<double>& points,
                           const std::vector<VtkArray>& data) {
-  SphereLayout layout{
-      .names = {"x", "y", "z"}, .place = file.path, .header = "the point data", .row = "point"};
+  SphereLayout layout{.names = {"x", "y", "z"},
+                      .place = file.path,
+                      .header = "the point data",
+                      .rules = {.positions_at = 0},
+                      .row = "point"};
   for (const auto& array : data)
     for (std::size_t c = 0; c < array.components; ++c)
       layout.names.push_back(array.components == 1 ? array.name : fmt::format("{}:{}", array.name, c));
