@@ -11,6 +11,7 @@
 #include "core/text/suggest.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
+#include "packing/formats/inside_cell.hpp"
 #include "packing/formats/stated.hpp"
 
 namespace superstep {
@@ -129,6 +130,7 @@ void apply_box(const PackingOptions& options, const std::string& path, Packing& 
                         path, stated, now));
     }
   }
+  if (options.box) require_inside_cell(packing, false, path, {});
   if (!packing.cell || !packing.cell->is_periodic()) return;
   if (!(packing.cell->volume() > 0))
     throw InputError(

@@ -98,7 +98,8 @@ Packing read(const PackingFile& file) {
   SphereLayout layout{.names = table.names(),
                       .place = fmt::format("{}:{}", file.path, table.first_line()),
                       .header = fmt::format("the header '{}'", table.first_text().substr(0, 120)),
-                      .cell = stated_cell(file)};
+                      .cell = stated_cell(file),
+                      .cell_binds = true};
   const auto& declared = file.options.columns;
   const bool customary = layout.names.empty() && declared.empty();
   if (!declared.empty()) {

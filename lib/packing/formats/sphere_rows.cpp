@@ -213,7 +213,8 @@ void SphereRows::note_columns(Packing& packing) const {
   if (columns_.material != none)
     note(fmt::format("column '{}' is the material", layout_.names[columns_.material]));
   if (columns_.is_scaled()) note("positions are parts of the box");
-  if (columns_.is_unwrapped()) note("positions are unwrapped");
+  if (columns_.is_unwrapped())
+    note("positions are unwrapped: put back into the box along the sides that the file calls periodic");
   if (layout_.rules.flat) note("two dimensions: discs are read as spheres with z = 0");
   if (!kept.empty()) note(fmt::format("kept as attributes: {}", fmt::join(kept, ", ")));
   if (!dropped.empty()) note(fmt::format("left out, since they hold text: {}", fmt::join(dropped, ", ")));
@@ -234,6 +235,9 @@ Packing SphereRows::finish() {
   if (!layout_.cell) return packing;
   packing.cell = cell_in_metres();
   if (layout_.cell_binds) require_inside_cell(packing, columns_.is_unwrapped(), path_, lines);
+  // Now, since the user may say that the box is open: the sides that the file calls periodic are then cut.
+  if (columns_.is_unwrapped() && packing.cell->is_periodic() && packing.cell->volume() > 0)
+    for (auto& centre : packing.centre) centre = packing.cell->wrapped(centre);
   return packing;
 }
 
