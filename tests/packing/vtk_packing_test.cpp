@@ -200,5 +200,49 @@ TEST(VtkLegacy, AsciiAndBinaryWithCellsBetween) {
             std::string::npos);
 }
 
+std::string legacy(const std::string& data) {
+  return "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 3 0 0 6 0.5 0\n"
+         "METADATA\nCOMPONENT_NAMES\nX\nY\n\nINFORMATION 1\nNAME L2 LOCATION vtkDataArray\nDATA 2 0 6\n\n"
+         "POINT_DATA 3\n" +
+         data + "SCALARS radius double 1\nLOOKUP_TABLE default\n0.5 0.25 1\n";
+}
+
+TEST(VtkLegacy, EveryKindOfDataIsReadOrNamed) {
+  const std::string nine = "1 2 3 4 5 6 7 8 9\n", three = "7 8 9\n";
+  for (const auto& data :
+       {"GLOBAL_IDS GlobalPointIds vtkIdType\n" + three, "PEDIGREE_IDS PedigreeIds vtkIdType\n" + three,
+        "EDGE_FLAGS flags unsigned_char\n" + three, "COLOR_SCALARS col 3\n" + nine,
+        "TEXTURE_COORDINATES tex 3 float\n" + nine, "VECTORS v float\n" + nine, "NORMALS n float\n" + nine,
+        "TENSORS t float\n" + nine + nine + nine, "TENSORS6 t float\n" + nine + nine,
+        "SCALARS s float\nLOOKUP_TABLE mine\n" + three + "LOOKUP_TABLE mine 2\n0 0 0 1 1 1 1 1\n",
+        "FIELD f 1\nv 3 3 float\n" + nine + "METADATA\nCOMPONENT_NAMES\nX\n\n\nINFORMATION 0\n\n"}) {
+    const auto packing = read_text(legacy(data));
+    EXPECT_EQ(packing.radius, (std::vector<double>{0.5, 0.25, 1})) << data;
+  }
+  const auto message = refusal(legacy("HIGHER_ORDER_DEGREES d float\n" + nine));
+  EXPECT_NE(message.find("'HIGHER_ORDER_DEGREES' begins no data that are read"), std::string::npos)
+      << message;
+}
+
+TEST(VtkLegacy, NamesHaveTheirBlanksBack) {
+  const auto packing = read_text(
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n0 0 0 0 0 1\nPOINT_DATA 2\n"
+      "FIELD FieldData 2\nparticle%20radius 1 2 double\n0.55 0.55\n50%25%20done 1 2 double\n1 2\n");
+  EXPECT_EQ(packing.radius[0], 0.55);
+  EXPECT_NE(find_attribute(packing, "50% done"), nullptr);
+}
+
+TEST(VtkXml, AnArrayCalledXIsNoCoordinate) {
+  const auto packing = read_text(
+      "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"2\"><PointData>"
+      "<DataArray type=\"Float64\" Name=\"radius\" format=\"ascii\">1 2</DataArray>"
+      "<DataArray type=\"Float64\" Name=\"x\" format=\"ascii\">7 8</DataArray>"
+      "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">9 9 9 9 9 9"
+      "</DataArray></PointData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
+      "0 0 0 5 0 0</DataArray></Points></Piece></PolyData></VTKFile>");
+  EXPECT_EQ(packing.centre[1].x, 5);
+  EXPECT_EQ(find_attribute(packing, "x")->value, (std::vector<double>{7, 8}));
+}
+
 }  // namespace
 }  // namespace superstep

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 
 #include "core/error.hpp"
@@ -96,6 +97,21 @@ std::string word(const Words& words, std::size_t k) {
   return k < words.size() ? std::string(words[k]) : std::string{};
 }
 
+/// A name with its %20 and the like as what they stand for.
+std::string array_name(const Words& words, std::size_t k) {
+  const std::string written = word(words, k);
+  std::string out;
+  for (std::size_t at = 0; at < written.size(); ++at) {
+    unsigned code = 0;
+    const char* const hex = written.data() + at + 1;
+    const bool is_code = written[at] == '%' && at + 2 < written.size() &&
+                         std::from_chars(hex, hex + 2, code, 16).ptr == hex + 2 && code >= ' ';
+    out += is_code ? static_cast<char>(code) : written[at];
+    at += is_code ? 2 : 0;
+  }
+  return out;
+}
+
 /// Data that follows POINT_DATA or CELL_DATA.
 class LegacyReader {
  public:
@@ -123,6 +139,7 @@ class LegacyReader {
     const std::string_view key = words_[0];
     if (key == "POINTS") {
       tuples_ = count_of(walker_, words_, 1);
+      components_ = 3;
       points_ = walker_.values(3 * tuples_, word(words_, 2), "POINTS", true);
     } else if (key == "VERTICES" || key == "LINES" || key == "POLYGONS" || key == "TRIANGLE_STRIPS" ||
                key == "CELLS") {
@@ -133,27 +150,45 @@ class LegacyReader {
       (void)walker_.values(key == "OFFSETS" ? offsets_ : connectivity_, word(words_, 1), std::string(key),
                            false);
     } else if (key == "POINT_DATA" || key == "CELL_DATA") {
+      in_data_ = true;
       of_points_ = key == "POINT_DATA";
       tuples_ = count_of(walker_, words_, 1);
     } else if (key == "METADATA") {
-      while (!walker_.at_end() && !walker_.line().empty()) {
-      }
+      metadata();
     } else if (key == "SCALARS") {
       scalars();
-    } else if (key == "VECTORS" || key == "NORMALS") {
-      array(word(words_, 1), 3, word(words_, 2));
-    } else if (key == "TENSORS") {
-      array(word(words_, 1), 9, word(words_, 2));
+    } else if (const std::size_t components = components_of(key); components > 0) {
+      array(array_name(words_, 1), components, word(words_, 2));
+    } else if (key == "TEXTURE_COORDINATES") {
+      array(array_name(words_, 1), count_of(walker_, words_, 2), word(words_, 3));
+    } else if (key == "COLOR_SCALARS") {
+      array(array_name(words_, 1), count_of(walker_, words_, 2), walker_.binary ? "unsigned_char" : "float");
     } else if (key == "LOOKUP_TABLE") {
       (void)walker_.values(4 * count_of(walker_, words_, 2), walker_.binary ? "unsigned_char" : "float",
                            "LOOKUP_TABLE", false);
     } else if (key == "FIELD") {
       field();
+    } else if (in_data_) {
+      walker_.fail(
+          fmt::format("{} begins no data that are read; write the file without them", in_quotes(key)));
     } else if (key != "DATASET") {
       walker_.fail(
           fmt::format("{} begins no section of points that is read; write POLYDATA or UNSTRUCTURED_GRID",
                       in_quotes(key)));
     }
+  }
+
+  /// Of data that are a name, a type and the values; 0 for others.
+  static std::size_t components_of(std::string_view key) {
+    if (key == "GLOBAL_IDS" || key == "PEDIGREE_IDS" || key == "EDGE_FLAGS") return 1;
+    if (key == "VECTORS" || key == "NORMALS") return 3;
+    return key == "TENSORS" ? 9 : key == "TENSORS6" ? 6 : 0;
+  }
+
+  /// An empty line ends it, but for names of the components of the last array, which may be empty.
+  void metadata() {
+    for (std::string_view line = walker_.line(); !line.empty(); line = walker_.line())
+      for (std::size_t k = 0; line == "COMPONENT_NAMES" && k < components_; ++k) (void)walker_.line();
   }
 
   void cells() {
@@ -168,7 +203,7 @@ class LegacyReader {
   }
 
   void scalars() {
-    const std::string name = word(words_, 1), type = word(words_, 2);
+    const std::string name = array_name(words_, 1), type = word(words_, 2);
     const std::size_t components = words_.size() > 3 ? count_of(walker_, words_, 3) : 1;
     Walker ahead = walker_;
     if (ahead.line().starts_with("LOOKUP_TABLE")) walker_ = ahead;
@@ -187,7 +222,7 @@ class LegacyReader {
         --k;
         continue;
       }
-      const std::string name = word(words_, 0), type = word(words_, 3);
+      const std::string name = array_name(words_, 0), type = word(words_, 3);
       const std::size_t components = count_of(walker_, words_, 1), tuples = count_of(walker_, words_, 2);
       if (type == "string") walker_.fail(fmt::format("array '{}' holds strings; leave it out", name));
       array(name, components, type, tuples);
@@ -199,6 +234,7 @@ class LegacyReader {
     const std::size_t tuples = own_tuples.value_or(tuples_);
     constexpr std::size_t most = 1000;  // components; more is a slip
     if (components > most) walker_.fail(fmt::format("array '{}' has {} components", name, components));
+    components_ = components;
     const bool keep = of_points_ && components > 0 && 3 * tuples == points_.size();
     auto values = walker_.values(components * tuples, type, fmt::format("array '{}'", name), keep);
     if (keep) data_.push_back({name, components, std::move(values)});
@@ -210,7 +246,8 @@ class LegacyReader {
   std::vector<double> points_;
   std::vector<VtkArray> data_;
   std::size_t tuples_ = 0, offsets_ = 0, connectivity_ = 0;
-  bool of_points_ = false;
+  std::size_t components_ = 0;  ///< of the last array
+  bool in_data_ = false, of_points_ = false;
 };
 
 Packing read(const PackingFile& file) {
