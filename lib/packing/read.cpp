@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text/cut_off.hpp"
 #include "core/text/suggest.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
@@ -155,6 +156,9 @@ Packing read_packing(const std::string& path, const PackingOptions& options) {
         options.place.empty() ? path : options.place, path, format.name));
   Packing packing = format.read(file);
   packing.format = format.name;
+  if (auto unfinished = unfinished_line(path, content);
+      format.ends_lines && file.is_text && !unfinished.empty())
+    packing.warnings.push_back(std::move(unfinished));
   apply_box(options, path, packing);
   return packing;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/text/cut_off.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/number.hpp"
 
@@ -122,7 +123,9 @@ bool is_matrix_market(const std::string& text) noexcept {
 
 MatrixMarket read_matrix_market(const std::string& path) {
   const std::string text = read_text_file(path);
-  return Reader(path, text).read();
+  MatrixMarket matrix = Reader(path, text).read();
+  matrix.warning = unfinished_line(path, text);
+  return matrix;
 }
 
 std::string matrix_market_text(std::size_t size, std::span<const MatrixMarket::Entry> lower,

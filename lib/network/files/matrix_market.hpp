@@ -18,6 +18,7 @@ struct MatrixMarket {
   bool is_dense = false;      ///< "array": every entry stands there
   bool is_symmetric = false;  ///< one triangle stands for both
   std::vector<Entry> entries;
+  std::string warning;  ///< about the end of the file; empty where there is nothing to say
 };
 
 /// True for a text that begins with the format's banner.

@@ -165,7 +165,10 @@ NetworkInput read_matrix_network(const std::string& file, MatrixKind kind, doubl
         "{}: has {} rows and {} entries, so that most nodes touch nothing; check its sizes, or leave these "
         "nodes out",
         file, matrix.rows, matrix.entries.size()));
-  return network_of({file, true}, std::move(matrix), kind, ambient);
+  std::string warning = std::move(matrix.warning);
+  NetworkInput input = network_of({file, true}, std::move(matrix), kind, ambient);
+  if (!warning.empty()) input.notes.push_back(std::move(warning));
+  return input;
 }
 
 NetworkInput network_of_matrix(const std::string& name, MatrixMarket matrix, MatrixKind kind,

@@ -48,9 +48,10 @@ std::string frame_name(const PackingFile& file, LineReader lines) {
   return fmt::format("the last of {} frames, time step {}", frames, dated ? trimmed(lines.line()) : "?");
 }
 
-/// The unit style behind `ITEM: UNITS`, which stands once, before the first frame.
+/// The unit style behind the last `ITEM: UNITS`: a program writes it once, before its first frame, but dumps
+/// of several programs may follow each other in a file.
 std::optional<StatedUnit> stated_unit(const PackingFile& file) {
-  const std::size_t at = file.content.find(units_item);
+  const std::size_t at = file.content.rfind(units_item);
   if (at == std::string_view::npos) return std::nullopt;
   const auto line =
       1 + std::count(file.content.begin(), file.content.begin() + static_cast<std::ptrdiff_t>(at), '\n');

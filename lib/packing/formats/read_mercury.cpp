@@ -45,13 +45,16 @@ const Kind* kind_of(const TextRow& header) {
 }
 
 /// A header of numbers that begins with a count. In two dimensions a table could look like it, so that the
-/// row below must fit.
+/// row below must fit; frames without particles have none.
 bool recognises(const PackingFile& file) {
   BeginningLines lines(file);
   if (!lines.next_statement() || !all_numbers(lines.row())) return false;
   const Kind* kind = kind_of(lines.row());
   if (kind == nullptr || !parse_integer(lines.row()[0])) return false;
-  return !kind->flat || (lines.next() && lines.row().size() == kind->columns.size());
+  if (!kind->flat) return true;
+  while (parse_integer(lines.row()[0]) == 0)
+    if (!lines.next() || lines.row().size() != kind->header_size || !all_numbers(lines.row())) return false;
+  return parse_integer(lines.row()[0]) && lines.next() && lines.row().size() == kind->columns.size();
 }
 
 struct Frame {

@@ -52,10 +52,12 @@ YadeColumns parse_format(const TextRow& line) {
   return columns;
 }
 
-/// Attributes are named by the last comment above the rows where it has as many words.
-void name_attributes(const std::vector<std::string>& words, std::size_t width, YadeColumns& columns) {
+/// Attributes are named by the last comment above the rows: it has a word for each, or for each column.
+void name_attributes(std::vector<std::string> words, std::size_t width, YadeColumns& columns) {
   if (!columns.any_more || width < columns.names.size()) return;
   const std::size_t more = width - columns.names.size();
+  if (words.size() == width && std::equal(columns.names.begin(), columns.names.end(), words.begin()))
+    words.erase(words.begin(), words.end() - static_cast<std::ptrdiff_t>(more));
   for (std::size_t k = 0; k < more; ++k)
     columns.names.push_back(words.size() == more ? words[k] : fmt::format("attr{}", k + 1));
 }
