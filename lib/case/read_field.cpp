@@ -81,7 +81,7 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   auto& graph = scene.graph;
   graph.id = packing.id;
   graph.source.assign(packing.size(), 0.0);
-  graph.initial = read_initial(table, graph.id, &packing);
+  graph.initial = read_initial(table, graph.id, &packing, kind.unit);
   graph.fixed_value.assign(packing.size(), 0.0);
   graph.is_fixed.assign(packing.size(), 0);
   set_capacities(packing, materials, field, graph);

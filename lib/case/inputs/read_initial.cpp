@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "case/inputs/column_unit.hpp"
 #include "case/inputs/named_column.hpp"
 #include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
@@ -17,7 +18,7 @@
 namespace superstep {
 namespace {
 
-std::vector<double> of_packing(const TomlValue& column, const Packing& packing) {
+std::vector<double> of_packing(const TomlValue& column, const Packing& packing, std::string_view unit) {
   const auto* attribute = find_attribute(packing, column.string());
   if (attribute == nullptr) {
     std::vector<std::string> names;
@@ -26,6 +27,7 @@ std::vector<double> of_packing(const TomlValue& column, const Packing& packing) 
                                 : fmt::format("it must be a column of the packing; those are {}",
                                               fmt::join(names, ", ")));
   }
+  require_column_unit(attribute->name, unit, column.where());
   for (std::size_t k = 0; k < packing.size(); ++k)
     if (!std::isfinite(attribute->value[k]))
       column.reject(
@@ -33,13 +35,14 @@ std::vector<double> of_packing(const TomlValue& column, const Packing& packing) 
   return attribute->value;
 }
 
-std::vector<double> of_file(const TomlValue& file, const TomlValue& column,
-                            std::span<const std::int64_t> id) {
+std::vector<double> of_file(const TomlValue& file, const TomlValue& column, std::span<const std::int64_t> id,
+                            std::string_view unit) {
   const std::string path = named_path(file),
                     text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
   DelimitedTable rows(path, text);
   const std::size_t id_column = column_named(rows, "id", path),
                     value_column = column_named(rows, column.string(), column.where());
+  if (!rows.names().empty()) require_column_unit(rows.names()[value_column], unit, column.where());
   std::unordered_map<std::int64_t, std::size_t> position;
   for (std::size_t k = 0; k < id.size(); ++k) position.emplace(id[k], k);
   std::vector<double> values(id.size(), std::numeric_limits<double>::quiet_NaN());
@@ -65,7 +68,8 @@ std::vector<double> of_file(const TomlValue& file, const TomlValue& column,
 
 }  // namespace
 
-std::vector<double> read_initial(TomlTable& table, std::span<const std::int64_t> id, const Packing* packing) {
+std::vector<double> read_initial(TomlTable& table, std::span<const std::int64_t> id, const Packing* packing,
+                                 std::string_view unit) {
   const auto initial = table.find("initial");
   if (!initial || !initial->is_table())
     return std::vector<double>(id.size(), initial ? initial->number() : 0.0);
@@ -73,9 +77,9 @@ std::vector<double> read_initial(TomlTable& table, std::span<const std::int64_t>
   const auto column = source.require("column", "it names the column of the packing, or of a file beside it");
   const auto file = source.find("file");
   source.finish();
-  if (file) return of_file(*file, column, id);
+  if (file) return of_file(*file, column, id, unit);
   if (packing == nullptr) column.reject("there is no packing to take it from; name a file beside it");
-  return of_packing(column, *packing);
+  return of_packing(column, *packing, unit);
 }
 
 }  // namespace superstep
