@@ -151,6 +151,7 @@ BenchCase bench_thermal_lanes(const Press& one, double cpu_setup, const HarnessO
 
   BenchCase result = begin_case(one);
   result.cpu_setup = cpu_setup;
+  result.warnings = one.warnings;
   result.nodes = result.unknowns = one.particles.size();
   result.contacts = contacts;
   result.unit.push_back('K');  // assigning a literal makes g++ 12 warn about overlapping memory

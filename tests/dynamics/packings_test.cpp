@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "case/press/press.hpp"
 #include "core/error.hpp"
 #include "dynamics/moving_network.hpp"
@@ -73,6 +75,25 @@ TEST(ParticleFile, TableBringsWhatItsColumnsSay) {
     const std::string message = message_of<InputError>([&] { (void)loaded(); });
     EXPECT_NE(message.find(says), std::string::npos) << message;
   }
+}
+
+TEST(ParticleFile, WhatAPressCannotUseIsSaid) {
+  const TemporaryFolder folder;
+  folder.write("p.dump", dump);
+  const Press press = load_press(folder.write(
+      "case.toml", case_text("file = \"p.dump\"\nlength_unit = \"mm\"\nshift = [0.0, 0.0, -0.5]\n")));
+  const auto says = [&](const std::string& part) {
+    return std::any_of(press.warnings.begin(), press.warnings.end(),
+                       [&](const auto& one) { return one.find(part) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("periodic along xyz, and a press has walls instead"));
+  EXPECT_TRUE(says("the last of 2 frames"));
+  folder.write("p.csv", "x,y,z,r,temperature [C]\n0,0,0,0.04,25\n");
+  const std::string message = message_of<InputError>(
+      [&] { (void)load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n"))); });
+  EXPECT_NE(message.find("'temperature [C]' is in C"), std::string::npos) << message;
+  folder.write("p.csv", "x,y,z,r,temperature [K]\n0,0,0,0.04,25\n");
+  EXPECT_EQ(load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n"))).state.temperature[0], 25);
 }
 
 TEST(ParticleFile, EveryFormatBringsItsVelocities) {

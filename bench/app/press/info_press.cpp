@@ -110,6 +110,7 @@ std::string info_text(const Press& one, const PressFacts& facts) {
     text += fmt::format("  {:<12} {:>8.4g} {:>8.4g}  {:>7.4g} -> {:<7.4g}  {}\n", phase.name, phase.begin,
                         phase.end, phase.upper_wall_begin, phase.upper_wall,
                         electrodes_text(phase, unit_of(one)));
+  for (const auto& warning : one.warnings) line("warning", warning);
   return text;
 }
 
@@ -143,7 +144,8 @@ std::string info_json(const Press& one, const PressFacts& facts) {
       {"forecast",
        {{"steps", facts.forecast.steps}, {"step_s", facts.forecast.step}, {"cpu_s", facts.forecast.cpu}}},
       {"electrode_unit", unit_of(one)},
-      {"phases", phases}};
+      {"phases", phases},
+      {"warnings", one.warnings}};
   return json_text(out);
 }
 

@@ -153,6 +153,7 @@ void warn_without_path(const Motion& motion, const dynamics::Model& model,
 SinteringResult integrate(const Press& one, const RunCommand& command, const std::string& folder,
                           Motion& motion, Progress& progress) {
   SinteringResult result;
+  result.warnings = one.warnings;
   Checkpoints checkpoints(folder + "/checkpoint.bin", command.checkpoint);
   std::atomic<double> reached{0};  // outlives the thread that looks at it
   Watchdog dog(command.limits.seconds, &stop_flag());

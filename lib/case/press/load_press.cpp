@@ -144,6 +144,7 @@ Press load_press(TomlTable root, std::optional<std::uint64_t> seed) {
   press.model = std::move(input.model);
   press.particles = std::move(input.particles);
   press.state = std::move(input.state);
+  press.warnings = std::move(input.warnings);
   return press;
 }
 

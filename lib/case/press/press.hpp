@@ -19,6 +19,7 @@ struct Press : CaseHead {
   dynamics::Model model;
   dynamics::Particles particles;
   dynamics::State state;
+  std::vector<std::string> warnings;  ///< what the user of the packing file should look at
   dynamics::SteppingSettings stepping;
   /// From when to when `superstep bench` compares schemes for the motion [s]; empty = it does not.
   std::optional<std::pair<double, double>> motion_window;

@@ -8,8 +8,10 @@
 #include <optional>
 #include <unordered_map>
 
+#include "case/inputs/column_unit.hpp"
 #include "core/error.hpp"
 #include "core/text/csv.hpp"
+#include "core/text/delimited.hpp"
 #include "packing/units.hpp"
 
 namespace superstep::dynamics {
@@ -37,8 +39,11 @@ Axes velocity_columns(const Packing& packing) {
 }
 
 const PackingAttribute* temperature_column(const Packing& packing) {
-  for (const char* name : {"temperature", "Temp", "T", "f_Temp", "f_Temp[0]"})
+  for (const char* name : {"temperature", "Temp", "T", "f_Temp", "f_Temp[0]"}) {
     if (const auto* column = find_attribute(packing, name)) return column;
+    for (const auto& column : packing.attributes)
+      if (lower_case(split_column_unit(column.name).name) == lower_case(name)) return &column;
+  }
   return nullptr;
 }
 
@@ -89,7 +94,8 @@ Kinematics read_kinematics(const std::string& path, const Packing& packing, std:
     for (std::size_t k = 0; k < packing.size(); ++k)
       out.velocity.push_back(metres_per_second * Vec3{along(0, k), along(1, k), along(2, k)});
   }
-  if (const auto* column = temperature_column(packing))
+  if (const auto* column = temperature_column(packing)) {
+    require_column_unit(column->name, "K", path);
     for (std::size_t k = 0; k < packing.size(); ++k) {
       const double kelvin = value_at(*column, packing, k, path);
       if (!(kelvin >= 0))
@@ -99,6 +105,7 @@ Kinematics read_kinematics(const std::string& path, const Packing& packing, std:
                         path, packing.id[k], kelvin, column->name));
       out.temperature.push_back(kelvin);
     }
+  }
   return out;
 }
 

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/text/toml.hpp"
 #include "dynamics/model.hpp"
@@ -15,6 +17,7 @@ struct ModelInput {
   Model model;
   Particles particles;
   State state;
+  std::vector<std::string> warnings;  ///< what the user of a packing file should look at
 };
 
 /// Reads [material], [thermal], [electric] and [dynamics] with all its tables but [dynamics.stepping].

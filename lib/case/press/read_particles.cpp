@@ -186,13 +186,17 @@ std::vector<std::size_t> materials_of(const TomlValue& file, const Packing& pack
 void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) {
   PackingOptions options;
   options.place = file.where();
-  options.periodic = "none";  // the walls are the box
+  options.periodic = "none";
+  options.has_walls = true;
   if (const auto unit = table.find("length_unit")) {
     options.length_unit = length_unit(unit->string(), unit->where());
     options.place = unit->where();
   }
   const Packing packing =
       read_named_file(file, [&](const auto& path) { return read_packing(path, options); });
+  reading.input.warnings = packing.warnings;
+  if (!packing.frame.empty())
+    reading.input.warnings.push_back(fmt::format("the packing is {} of its file", packing.frame));
   std::optional<double> unit;
   if (table.find("velocity_unit")) unit = table.positive("velocity_unit", "m/s");
   const Kinematics kinematics = read_kinematics(named_path(file), packing, unit);
