@@ -126,10 +126,9 @@ void apply_box(const PackingOptions& options, const std::string& path, Packing& 
       packing.cell->periodic = edges;
       if (const std::string now = packing.cell->periodic_axes(); stated != "none" && now != stated)
         packing.warnings.push_back(fmt::format(
-            "{}: the file says that its box is periodic along {}, {}: contacts across the other sides are "
-            "left out",
-            path, stated,
-            options.has_walls ? "and a press has walls instead" : fmt::format("the case says {}", now)));
+            "{}: the file says that its box is periodic along {}, {} sides are left out", path, stated,
+            options.has_walls ? "and a press has walls instead: contacts across these"
+                              : fmt::format("the case says {}: contacts across the other", now)));
     }
   }
   if (options.box) require_inside_cell(packing, false, path, {});

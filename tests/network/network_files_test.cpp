@@ -53,6 +53,14 @@ TEST_F(NetworkFiles, WhatARowSumsToLeadsToSurroundings) {
   EXPECT_EQ(input.notes.size(), 2u);
 }
 
+TEST_F(NetworkFiles, ALastNumberWithoutAnEndIsSaid) {
+  const std::string whole = symmetric_ + "3 3 2\n2 1 12.5\n3 2 12.5";
+  const auto cut = matrix(whole.substr(0, whole.size() - 2));
+  ASSERT_EQ(cut.notes.size(), 2u);
+  EXPECT_NE(cut.notes[1].find("its last line has no end"), std::string::npos) << cut.notes[1];
+  EXPECT_EQ(matrix(whole + "\n").notes.size(), 1u);
+}
+
 TEST_F(NetworkFiles, BadMatricesAreRefusedByEntry) {
   expect_refused(general_ + "3 3 3\n1 2 2\n2 1 2\n2 3 3\n", "entry (2, 3) is 3; the entry across");
   expect_refused(general_ + "2 2 2\n1 2 2\n2 1 2.1\n", "symmetric");
