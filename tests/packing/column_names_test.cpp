@@ -42,7 +42,8 @@ TEST(ColumnNames, APositionIsTakenFromNamesOfOneKind) {
 TEST(ColumnNames, TwoPositionsMustAgree) {
   const std::string names = "x,y,z,Points:0,Points:1,Points:2,radius\n";
   EXPECT_EQ(read_as("a.csv", names + "1,2,3,1,2,3,0.5\n").centre[0].z, 3);
-  expect_says(refusal(names + "1,2,3,1,2,4,0.5\n"), {"p.txt:2:", "'x', 'y'", "'Points:0', 'Points:1'"});
+  expect_says(refusal(names + "1,2,3,1,2,4,0.5\n"),
+              {"p.txt:2:", "'x' 'y' 'z'", "'Points:0' 'Points:1' 'Points:2'"});
   EXPECT_EQ(read_as("a.dump", dump_of("id x y z xu yu zu radius", "1 0 0 1 0 0 9 0.5\n2 0 0 2 0 0 2 0.5\n"))
                 .centre[0]
                 .z,

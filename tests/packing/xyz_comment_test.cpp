@@ -31,7 +31,7 @@ TEST(XyzComment, LatticesInEveryLegalForm) {
        {"Lattice = \"4 0 0 0 4 0 0 0 3\" pbc = \"F F T\"", "Lattice=[[4,0,0],[0,4,0],[0,0,3]] pbc=[F,F,T]",
         "Lattice=[4, 0, 0, 0, 4, 0, 0, 0, 3] pbc=[false, false, true]",
         "Lattice={4 0 0 0 4 0 0 0 3} pbc={F F T}",
-        "flag Lattice='4 0 0 0 4 0 0 0 3' title=\"a = b\" pbc=\"F F T\"",
+        "flag Lattice='4 0 0 0 4 0 0 0 3' title=\"a = \\\"pbc=\\\"\" pbc=\"F F T\"",
         "Lattice= [ [ 4, 0, 0 ], [ 0, 4, 0 ], [ 0, 0, 3 ] ] pbc = [ F, F, T ]"}) {
     const auto packing = read_as("a.xyz", frame_of(comment));
     ASSERT_TRUE(packing.cell.has_value()) << comment;

@@ -133,7 +133,10 @@ void SphereRows::require_one_position(std::span<const Value> cells, Vec3 centre,
   const Vec3 other = columns_.second_unit * point(cells, columns_.second_position, line);
   if (norm(other - centre) <= written_digits * (norm(centre) + size)) return;
   const auto names = [&](const SphereColumns::Axes& axes) {
-    return fmt::format("'{}', '{}', ...", layout_.names[axes[0]], layout_.names[axes[1]]);
+    std::string out;
+    for (const std::size_t column : axes)
+      if (column != none) out += fmt::format("{}'{}'", out.empty() ? "" : " ", layout_.names[column]);
+    return out;
   };
   throw InputError(
       fmt::format("{}: the position of {} is not that of {}; remove or rename the columns that are no "

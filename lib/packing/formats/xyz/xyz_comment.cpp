@@ -36,12 +36,19 @@ std::size_t closing_bracket(std::string_view text) {
   return text.size();
 }
 
+/// Where the next quote is that no backslash stands before.
+std::size_t closing_quote(std::string_view text, char quote) {
+  std::size_t k = 0;
+  while (k < text.size() && text[k] != quote) k += text[k] == '\\' ? 2 : 1;
+  return std::min(k, text.size());
+}
+
 std::string_view take_value(std::string_view& text) {
   if (text.empty()) return {};
   const char first = text.front();
   if (first == '"' || first == '\'') {
     text.remove_prefix(1);
-    return take(text, text.find(first), 1);
+    return take(text, closing_quote(text, first), 1);
   }
   if (first != '[' && first != '{') return take(text, text.find_first_of(blanks));
   const std::size_t end = closing_bracket(text);
