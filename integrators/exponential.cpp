@@ -58,14 +58,13 @@ class Exponential final : public Method {
       throw Refused(
           "the exponential needs constant conductances and no radiation; a potential may drive the "
           "temperature, but not the other way round");
-    const bool coupled = !rhs.traits().linear;
+    const bool coupled = rhs.fields().size() > 1;
     const bool rest = std::exchange(coupled_, coupled) && !coupled;
     choice_.clear();
     if (coupled) {
       if (basis_ == "lanczos" || basis_ == "shift-invert")
         throw Refused("basis=" + basis_ +
-                      " is for one field; leave it out where a potential drives the "
-                      "temperature");
+                      " is for one field; leave it out where there are a potential and a temperature");
       method_ = std::make_unique<OneWayExponential>(rtol_);
     } else {
       const std::string basis = basis_ == "auto" ? choose(rhs, task) : basis_;

@@ -71,7 +71,7 @@ class ReferenceSearch {
       : scene_(scene), probes_(probes), wanted_(wanted), progress_(progress), pair_(reference_pair(scene)) {
     if (wanted.spec.empty() || wanted.spec == pair_.truth.text()) return;
     const MethodSpec truth(wanted.spec);
-    pair_ = {truth, check_of(scene, truth), truth.name() == "exponential" && scene.rhs->traits().linear};
+    pair_ = {truth, check_of(scene, truth), truth.name() == "exponential" && is_one_linear_field(scene)};
   }
 
   ReferenceResult run() {

@@ -34,9 +34,13 @@ std::string tight_runge_kutta(const Scene& scene) {
 
 }  // namespace
 
+bool is_one_linear_field(const Scene& scene) {
+  return scene.rhs->traits().linear && scene.rhs->fields().size() == 1;
+}
+
 ReferencePair reference_pair(const Scene& scene) {
   const bool affordable = work_of_exponential(scene) <= most_work_of_exponential;
-  if (scene.rhs->traits().linear && affordable)
+  if (is_one_linear_field(scene) && affordable)
     return {"exponential:basis=chebyshev,rtol=1e-14",
             small(scene) ? "cvode:rtol=1e-9,linsol=klu" : "cvode:rtol=1e-6", true};
   if (exactly_solvable(*scene.rhs) && affordable) return {tight_cvode(scene), "exponential:rtol=1e-12"};

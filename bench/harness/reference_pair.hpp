@@ -12,10 +12,12 @@ struct ReferencePair {
   bool certified = false;  ///< the truth comes with a bound of its own error, which the check must respect
 };
 
-/// Linear networks: the exponential, with its bound, checked by CVODE. Elsewhere CVODE with a tight
+/// One linear field: the exponential, with its bound, checked by CVODE. Elsewhere CVODE with a tight
 /// tolerance, checked by the exponential where one field drives the other alone, by an implicit or a
 /// stabilised Runge-Kutta method else.
 [[nodiscard]] ReferencePair reference_pair(const Scene& scene);
+
+[[nodiscard]] bool is_one_linear_field(const Scene& scene);
 
 /// The check that goes with a reference that the user asked for.
 [[nodiscard]] MethodSpec check_of(const Scene& scene, const MethodSpec& truth);

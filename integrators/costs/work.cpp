@@ -15,7 +15,7 @@ namespace {
 constexpr std::array physics_names = {"linear", "one-way", "nonlinear", "coupled"};
 
 Physics physics_in(Rhs& rhs) {
-  if (rhs.traits().linear) return Physics::linear;
+  if (rhs.traits().linear && rhs.fields().size() == 1) return Physics::linear;
   if (exactly_solvable(rhs)) return Physics::one_way;
   return rhs.fields().size() > 1 ? Physics::coupled : Physics::nonlinear;
 }

@@ -58,6 +58,7 @@ std::vector<double> approximate_steady_state(const Network& network, double tole
     rz = next;
     for (std::size_t i = 0; i < n; ++i) direction[i] = preconditioned[i] + beta * direction[i];
   }
+  if (n > 0 && !(std::sqrt(dot(residual, residual)) <= target)) return {};
   return x;
 }
 

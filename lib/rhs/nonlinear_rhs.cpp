@@ -296,7 +296,7 @@ std::optional<std::string> NonlinearRhs::violation_here(std::span<const double> 
 }
 
 OneWayCoupling* NonlinearRhs::one_way() {
-  return steps_potential() && joule_ && !varies() ? this : nullptr;
+  return steps_potential() && !varies() ? this : nullptr;
 }
 
 Rhs& NonlinearRhs::driver() {
@@ -308,7 +308,8 @@ Rhs& NonlinearRhs::driven() {
 }
 
 void NonlinearRhs::rate(double t, std::span<const double> v, std::span<double> rate) {
-  joule_->rate(potential_slots_->on_slots(t, v.data()), rate);
+  std::fill(rate.begin(), rate.end(), 0.0);
+  if (joule_) joule_->rate(potential_slots_->on_slots(t, v.data()), rate);
 }
 
 void NonlinearRhs::drive(std::span<const double> rate) {

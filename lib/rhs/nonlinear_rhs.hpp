@@ -51,6 +51,10 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] double linear_inflow(std::span<const double> v) const override;
   [[nodiscard]] std::optional<std::string> law_violation(std::span<const double> y,
                                                          double slack = 0) override;
+  /// Of the temperature where it is the only field: a steady potential that heats nothing leaves it linear.
+  [[nodiscard]] std::vector<InputShape> input_shapes() const override {
+    return steps_potential() ? std::vector<InputShape>{} : thermal_->input_shapes();
+  }
   [[nodiscard]] OneWayCoupling* one_way() override;
   void enter(double begin, double end) override;
   void leave() override;

@@ -10,7 +10,7 @@ bool linear_and_symmetric(const Rhs& rhs) {
 }  // namespace
 
 bool exactly_solvable(Rhs& rhs) {
-  if (linear_and_symmetric(rhs)) return true;
+  if (rhs.fields().size() == 1) return linear_and_symmetric(rhs);
   OneWayCoupling* halves = rhs.one_way();
   return halves && linear_and_symmetric(halves->driver()) && linear_and_symmetric(halves->driven());
 }

@@ -8,8 +8,8 @@
 
 namespace superstep {
 
-/// The potential drives the temperature by Joule heat; nothing leads back. Sweeps of the halves count as
-/// sweeps of the whole.
+/// The potential drives the temperature by Joule heat, or leaves it alone; nothing leads back. Sweeps of the
+/// halves count as sweeps of the whole.
 class OneWayCoupling {
  public:
   virtual ~OneWayCoupling() = default;
@@ -21,12 +21,13 @@ class OneWayCoupling {
   virtual void rate(double t, std::span<const double> v, std::span<double> rate) = 0;
   /// Adds `rate` to the driven half from now on; it must outlive its use. Empty = nothing.
   virtual void drive(std::span<const double> rate) = 0;
-  /// The state that the driver tends to, to `residual` of its own size; empty where its inputs change.
+  /// The state that the driver tends to, to `residual` of its own size; empty where its inputs change, or
+  /// where a source feeds a part that holds on to nothing.
   [[nodiscard]] virtual std::vector<double> steady_driver(double residual) = 0;
 };
 
-/// True when the matrix exponential gives the solution: the scene is linear with constant coefficients, or
-/// falls into two such halves.
+/// True when the matrix exponential gives the solution: the scene is one linear field with constant
+/// coefficients, or falls into two such halves.
 [[nodiscard]] bool exactly_solvable(Rhs& rhs);
 
 }  // namespace superstep

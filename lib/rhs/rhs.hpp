@@ -141,8 +141,8 @@ class Rhs {
   /// Derivative of `inflow` along a change v of a linear right-hand side.
   [[nodiscard]] virtual double linear_inflow(std::span<const double> v) const = 0;
 
-  /// What changes in time about a linear f, one shape a table that acts on it: f(t, y) - f(t', y) is the sum
-  /// of what their tables changed by times their rates. The tables live as long as f.
+  /// What changes in time about a linear f of one field, one shape a table that acts on it: f(t, y) - f(t',
+  /// y) is the sum of what their tables changed by times their rates. The tables live as long as f.
   [[nodiscard]] virtual std::vector<InputShape> input_shapes() const { return {}; }
 
   /// Says which law a state goes beyond, at which node, and the way out; nothing where all hold. A trial
@@ -153,7 +153,8 @@ class Rhs {
     return std::nullopt;
   }
 
-  /// The two halves of a scene in which one field drives the other through sources alone; null elsewhere.
+  /// The two halves of a scene in which one field drives the other through sources alone, or not at all; null
+  /// elsewhere.
   [[nodiscard]] virtual OneWayCoupling* one_way() { return nullptr; }
 
   /// Takes the smooth piece of f between `begin` and `end`, two neighbouring breakpoints [s]: until the next

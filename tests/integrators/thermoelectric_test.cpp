@@ -106,6 +106,18 @@ TEST_P(EveryMethod, OneWay) {
   expect_the_answer(GetParam(), {.nodes = 40});
 }
 
+/// Neither field acts on the other, and both follow tables of time.
+TEST_P(EveryMethod, FieldsThatLeaveEachOtherAlone) {
+  if (GetParam() == "sts" || GetParam() == "sts:n=20,nu=1e-3")
+    GTEST_SKIP() << "its superstep is as long as the pieces of the tables";
+  expect_the_answer(GetParam(), {.nodes = 40, .joule_heat = false, .convection = true, .tables = true});
+}
+
+TEST_P(EveryMethod, SteadyPotentialThatHeatsNothing) {
+  expect_the_answer(GetParam(),
+                    {.nodes = 40, .steady = true, .joule_heat = false, .convection = true, .tables = true});
+}
+
 TEST_P(EveryMethod, TwoWayWithEverything) {
   using Kind = ConductivityLaw::Kind;
   const ConductivityLaw line{.kind = Kind::linear, .value = 2, .coefficient = -0.1, .reference = 0.2};

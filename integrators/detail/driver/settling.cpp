@@ -34,6 +34,8 @@ bool Settling::is_steady(double t, std::span<const double> y) {
     return false;
   }
   if (final_.empty()) final_ = coupling_->steady_driver(residual_);
+  if (final_.size() != now.size()) coupling_ = nullptr;  // it goes on for ever
+  if (!coupling_) return false;
   return rms_distance(driver.reduction(), now, final_) <= allowed_;
 }
 

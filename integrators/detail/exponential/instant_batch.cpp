@@ -12,8 +12,9 @@ constexpr std::size_t most_states = 8;  // held at once
 }  // namespace
 
 void InstantBatch::prepare(Rhs& rhs, const Task& task) {
-  if (!rhs.traits().linear || !rhs.traits().symmetric)
-    throw Refused("the exponential needs a linear scene: constant conductances and no radiation");
+  if (!rhs.traits().linear || !rhs.traits().symmetric || rhs.fields().size() > 1)
+    throw Refused(
+        "the exponential of one field needs a linear scene: constant conductances and no radiation");
   rhs_ = &rhs;
   plan_ = task.plan;
   origin_.resize(rhs.size());

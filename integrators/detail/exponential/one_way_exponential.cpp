@@ -144,10 +144,20 @@ void OneWayExponential::find_inputs(double h) {
   }
 }
 
+/// Nothing exchanges anything: potentials follow their sources, which are linear in time.
+void OneWayExponential::gain_potential(double h) {
+  for (std::size_t m = 1; m <= degree; ++m) {
+    const double elapsed = h * point_position(m, degree);
+    halves_->driver()(t_ + 0.5 * elapsed, potential(), u_);
+    for (std::size_t i = 0; i < driver_size_; ++i) point_[m][i] = potential()[i] + elapsed * u_[i];
+  }
+}
+
 void OneWayExponential::propagate_potential(double h) {
   Rhs& rhs = halves_->driver();
   std::copy(potential().begin(), potential().end(), point_[0].begin());
   const double radius = driver_radius_;
+  if (radius == 0) return gain_potential(h);
   const ExpansionScale scale = find_expansion_scale(rhs, t_, h, potential(), potential_span_, u_, next_);
   std::vector<std::vector<double>> c;
   for (std::size_t m = 1; m <= degree; ++m) {
@@ -161,9 +171,9 @@ void OneWayExponential::propagate_potential(double h) {
   };
   std::copy(potential().begin(), potential().end(), u_.begin());
   const auto time_of = [&](std::size_t k) {  // obeys the recurrence as an entry with rate 1 would
-    return radius > 0 ? t_ + 2 * static_cast<double>(k * k) / radius : t_;
+    return t_ + 2 * static_cast<double>(k * k) / radius;
   };
-  rhs.stage(t_, {.y1 = u_.data(), .a = 1, .d = radius > 0 ? 2 / radius : 0}, next_);
+  rhs.stage(t_, {.y1 = u_.data(), .a = 1, .d = 2 / radius}, next_);
   for (std::size_t k = 0; k < terms; k += 2) {
     for (std::size_t begin = 0; begin < driver_size_; begin += stretch) {
       const std::size_t end = std::min(begin + stretch, driver_size_);

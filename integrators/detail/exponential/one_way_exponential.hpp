@@ -42,6 +42,7 @@ class OneWayExponential final : public Propagator {
   void find_inputs(double h);
   /// Potentials at the points of a panel of length h [degree+1], the first being the present one.
   void propagate_potential(double h);
+  void gain_potential(double h);
   /// Expansion r_p of the heating rate on the panel, from the potentials at its points.
   void expand_heat(double h);
   /// Error that the truncated expansion leaves in the temperature [K].

@@ -108,7 +108,8 @@ void draw_pair(Draft& draft) {
   draft.constant = draft.chance(0.4);
   draft.most_points = draft.chance(0.1) ? 150 : 25;
   draw_scales(draft, false, electric_law || thermal_law);
-  draft.at_rest = draft.chance(0.8);
+  const bool heats = two_way || draft.scene.seed % 7 != 0;  // else the fields leave each other alone
+  draft.at_rest = draft.chance(0.8) && heats;
   draft.joule_rise = draft.scale * log_uniform(draft.random, 0.1, 2);
   if (draft.chance(0.15)) draft.source_rise = draft.scale * log_uniform(draft.random, 0.1, 1);
 
@@ -128,7 +129,7 @@ void draw_pair(Draft& draft) {
   draw_inputs(draft, std::min<std::size_t>(draft.random.below(3), free_at_least), thermal);
   draw_electric_inputs(draft, thermal.graph, electric);
   draft.scene.coupling = {
-      .joule_heat = true, .settle_tolerance = settle_tolerance, .resolve_change = resolve_change};
+      .joule_heat = heats, .settle_tolerance = settle_tolerance, .resolve_change = resolve_change};
   draft.scene.fields.push_back(std::move(electric));
   draft.scene.fields.push_back(std::move(thermal));
 }
