@@ -107,7 +107,7 @@ int SundialsPropagator::derivative(double t, N_Vector y, N_Vector ydot, void* da
 
 int SundialsPropagator::weights(N_Vector y, N_Vector inverse, void* data) noexcept {
   const SundialsPropagator& method = propagator_of(data);
-  const double share = share_of_a_step(method.rtol_);
+  const double share = method.part_of_share_ * share_of_a_step(method.rtol_);
   const auto values = sundials::entries(y), out = sundials::entries(inverse);
   constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();  // below them no step would pass
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -61,6 +61,7 @@ class SundialsPropagator : public Propagator {
                            void* self) noexcept;
 
   double rtol_;
+  double part_of_share_ = 1;  ///< of what local errors may usually have
   std::string linsol_, ordering_, choice_;
   Rhs* rhs_ = nullptr;
   const Plan* plan_ = nullptr;
