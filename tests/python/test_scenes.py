@@ -243,6 +243,32 @@ class WhatIsRefused(unittest.TestCase):
             file.flush()
             self.refused(file.name + ":2: key 'network'", Scene.from_file, file.name)
 
+    def test_masked_values_are_none(self):
+        centres, radii = row_of_spheres()
+        masked = np.ma.array(radii, mask=[k == 3 for k in range(12)])
+        tables = {"conductivity": 50.0, "density": 7800.0, "specific_heat": 460.0, "t_end": 1.0}
+        self.refused("radii has masked values", Scene.from_spheres, centres, masked, **tables)
+        scene = Scene.from_edges([[0, 1], [1, 2]], 1.0, t_end=1.0, fixed=np.ma.array([1.0, 7.0, 0.0], mask=[0, 1, 0]))
+        self.assertEqual(list(scene.unknown_node), [1])
+
+    def test_what_no_case_can_hold(self):
+        centres, radii = row_of_spheres()
+        tables = {"conductivity": 50.0, "density": 7800.0, "specific_heat": 460.0, "t_end": 1.0}
+        holds_itself = {}
+        holds_itself["a"] = holds_itself
+        self.refused("holds itself", Scene.from_spheres, centres, radii, **tables, case=holds_itself)
+        self.refused("half of a character", Scene.from_spheres, centres, radii, **{**tables, "neck": "\udc80"})
+        self.refused(
+            "attributes is of type list", Scene.from_spheres, centres, radii, **tables, case={"packing": {"attributes": [1]}}
+        )
+        large = {"packing": {"ids": np.arange(12, dtype=np.uint64) + np.uint64(2**63)}}
+        self.refused("2\\^63 and more", Scene.from_spheres, centres, radii, **tables, case=large)
+        self.refused("counted from 0", Scene.from_edges, [[0, 1], [1, 10**9]], 1.0, t_end=1.0)
+        with self.assertRaisesRegex(TypeError, "case must be a dict"):
+            Scene.from_spheres(centres, radii, **tables, case=[1])
+        times = Scene.from_spheres(centres, radii, **tables, output_times=(t for t in [0.25])).output_times
+        self.assertEqual(times[0], 0.25)
+
     def test_odd_texts_arrive_as_they_are(self):
         title = 'a "quoted" \\ back\tslash \x7f é \U0001f642'
         self.assertEqual(network(case={"title": title}).title, title)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
@@ -35,7 +36,12 @@ Array converted(const std::string& name, const char* key, const py::object& give
     PyErr_Clear();
     throw InputError(fmt::format("{}: {} is no array of {}", name, key, whole ? "integers" : "real numbers"));
   }
-  return Array::ensure(array);
+  auto numbers = Array::ensure(array);
+  const auto beyond = [&](const auto value) { return value < 0; };  // what 64 bits with a sign cannot hold
+  if (whole && kind == 'u' && std::any_of(numbers.data(), numbers.data() + numbers.size(), beyond))
+    throw InputError(fmt::format(
+        "{}: {} holds numbers of 2^63 and more; they must fit into 64 bits with a sign", name, key));
+  return numbers;
 }
 
 }  // namespace

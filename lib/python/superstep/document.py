@@ -23,6 +23,10 @@ def text_of(case: Mapping[str, Any], name: str) -> str:
 
 
 def _string(text: str) -> str:
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"the text {text!r} holds half of a character, and cannot be written as UTF-8") from None
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
@@ -47,6 +51,8 @@ def _value(value: Any, name: str, place: str) -> str:
         within = ", ".join(f"{_key(k, name, place)} = {_value(v, name, f'{place}.{k}')}" for k, v in value.items())
         return f"{{{within}}}"
     if isinstance(value, np.ndarray):
+        if np.ma.is_masked(value):
+            raise InputError(f"{name}: {place} has masked values; fill them, or leave them out")
         return _value(value.tolist(), name, place)
     if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
         return f"[{', '.join(_value(one, name, f'{place}[{k}]') for k, one in enumerate(value))}]"

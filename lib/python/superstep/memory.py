@@ -42,13 +42,17 @@ def _spheres(case: dict[str, Any], name: str) -> Optional[Arrays]:
     spheres = {key: packing.pop(key) for key in ("centres", "radii", "ids") if key in packing}
     if "materials" in packing:
         spheres["materials"] = [str(one) for one in packing.pop("materials")]
-    attributes = dict(packing.pop("attributes", {}))
+    attributes = packing.pop("attributes", {})
+    if not isinstance(attributes, Mapping):
+        raise InputError(f"{name}: [packing] attributes is of type {type(attributes).__name__}; it must be a dict")
+    attributes = dict(attributes)
     for field in ("thermal", "electric"):  # values at the start are a column that nobody else has
         table = case.get(field)
         if isinstance(table, dict) and _is_array(table.get("initial")):
             column = f"{field}.initial"
             attributes[column] = table["initial"]
             table["initial"] = {"column": column}
+    _refuse_masks({**spheres, **attributes}, name)
     if attributes:
         spheres["attributes"] = attributes
     return spheres
@@ -79,9 +83,17 @@ def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
                 "hand over matrix or edges as well"
             )
         return None
+    _refuse_masks({**out, **arrays}, name)
     if "edges" in out:
         out["nodes"] = _count(network, out["edges"], arrays, name)
     return {**out, **arrays}
+
+
+def _refuse_masks(arrays: Arrays, name: str) -> None:
+    """What lies under a mask is no value."""
+    for key, value in arrays.items():
+        if np.ma.is_masked(value):
+            raise InputError(f"{name}: {key} has masked values; fill them (in fixed with NaN: free), or leave them out")
 
 
 def _count(network: dict[str, Any], edges: Any, arrays: Arrays, name: str) -> int:
@@ -94,7 +106,15 @@ def _count(network: dict[str, Any], edges: Any, arrays: Arrays, name: str) -> in
     if arrays:
         return len(next(iter(arrays.values())))
     ends = np.asarray(edges)
-    return int(ends.max()) + 1 if ends.size and np.issubdtype(ends.dtype, np.integer) else 0
+    if not ends.size or not np.issubdtype(ends.dtype, np.integer):
+        return 0
+    last = int(ends.max())
+    if last > 1000 * ends.size + 1_000_000:
+        raise InputError(
+            f"{name}: an edge ends at node {last}, and there are {len(ends)} edges; nodes are counted from 0: "
+            "number them so, or say how many nodes there are"
+        )
+    return last + 1
 
 
 def _rows(matrix: Any, name: str) -> Arrays:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -70,7 +70,10 @@ class Scene:
         if not isinstance(case, Mapping):
             raise TypeError(f"a case must be a dict; it is of type {type(case).__name__}: from_file takes paths")
         rest, spheres, network = memory.split(case, name)
-        text = document.text_of(rest, name)
+        try:
+            text = document.text_of(rest, name)
+        except RecursionError:
+            raise _core.InputError(f"{name}: a table or list of it holds itself") from None
         return cls(_core.build(text, os.path.join(folder, name), spheres, network))
 
     @classmethod
@@ -108,7 +111,7 @@ class Scene:
             "contact": {"neck": neck},
             "thermal": {"conductivity": conductivity, "specific_heat": specific_heat, "initial": initial},
         }
-        if len(fixed) > 0:
+        if fixed is not None and len(fixed) > 0:
             made["thermal"]["fixed"] = list(fixed)
         return cls.from_dict(_merged(made, output_times, case), name=name)
 
@@ -189,7 +192,7 @@ class Scene:
     ) -> Scene:
         network.update(capacity=capacity, source=source, initial=initial, field=field)
         if fixed is not None:
-            network["fixed"] = np.asarray(fixed)
+            network["fixed"] = np.ma.filled(np.ma.asarray(fixed, dtype=float), np.nan)
         return cls.from_dict(_merged({"t_end": t_end, "network": network}, output_times, case), name=name)
 
     # What it is.
@@ -323,12 +326,19 @@ def as_scene(case: Case) -> Scene:
     return Scene.from_file(case)
 
 
+def _listed(values: Any) -> Any:
+    """What can be gone through once only, as a list."""
+    return list(values) if isinstance(values, Iterator) else values
+
+
 def _merged(
     made: dict[str, Any], output_times: Optional[ArrayLike], case: Optional[Mapping[str, Any]]
 ) -> dict[str, Any]:
     """What the arguments say, overlaid by what the case says."""
+    if case is not None and not isinstance(case, Mapping):
+        raise TypeError(f"case must be a dict; it is of type {type(case).__name__}")
     if output_times is not None:
-        made["output_times"] = np.asarray(output_times, dtype=float)
+        made["output_times"] = np.asarray(_listed(output_times), dtype=float)
     for key, value in (case or {}).items():
         own = made.get(key)
         made[key] = {**own, **value} if isinstance(own, dict) and isinstance(value, Mapping) else value
