@@ -9,6 +9,7 @@
 #include "bench/app/commands.hpp"
 #include "bench/app/file_report.hpp"
 #include "bench/app/press/press_commands.hpp"
+#include "bench/host/terminal.hpp"
 #include "bench/output/system_files.hpp"
 #include "case/case.hpp"
 #include "case/checks/health.hpp"
@@ -25,7 +26,10 @@ Command from_line(const Arguments& values) {
 }
 
 int info(const InfoCommand& command, const Scene& scene) {
-  if (!command.matrix.empty()) write_system(command.matrix, scene);
+  if (!command.matrix.empty()) {
+    const auto warnings = write_system(command.matrix, scene);
+    if (!command.common.quiet) warn(warnings);
+  }
   const NetworkHealth health = assess_network(scene);
   print_data(command.common.json ? health_json(scene, health) : health_text(scene, health));
   return 0;

@@ -8,6 +8,7 @@
 
 #include "bench/app/file_report.hpp"
 #include "case/checks/effective.hpp"
+#include "case/roles.hpp"
 #include "case/scene.hpp"
 #include "contact/conductance.hpp"
 #include "contact/neck.hpp"
@@ -71,6 +72,28 @@ std::string recommended(const Scene& scene, double t_end) {
   return integrator->choice();
 }
 
+void describe_contacts(const Packing& packing, const Contacts& contacts, PackingConduction& out) {
+  out.coordination = 2 * static_cast<double>(contacts.size()) / static_cast<double>(packing.size());
+  const std::vector<double> joined(contacts.size(), 1.0);
+  out.components = connected_components(packing.size(), contacts.i, contacts.j, joined).count;
+  std::vector<char> touches(packing.size(), 0);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    touches[static_cast<std::size_t>(contacts.i[k])] = touches[static_cast<std::size_t>(contacts.j[k])] = 1;
+  out.isolated = static_cast<std::size_t>(std::count(touches.begin(), touches.end(), 0));
+}
+
+void describe_conduction(const Scene& scene, PackingConduction& out) {
+  const auto effective = effective_conductivity(scene, scene.fields.front());
+  out.between_layers = effective.value;
+  out.note = effective.note;
+  out.basis = effective.basis;
+  out.length = effective.length;
+  out.area = effective.area;
+  out.passes = !effective.value || *effective.value > 0;
+  out.time = two_digits(transit_time(scene, out.axis, out.between_layers));
+  if (out.passes) out.method = recommended(scene, out.time);
+}
+
 }  // namespace
 
 StarterSettings starter_settings(const Packing& packing, const FileOptions& options,
@@ -94,32 +117,20 @@ StarterSettings starter_settings(const Packing& packing, const FileOptions& opti
 PackingConduction assess_conduction(const Packing& packing, const std::string& file,
                                     StarterSettings settings) {
   settings.file = std::filesystem::absolute(file).string();
-  Scene scene = load_scene(TomlTable::parse_text(starter_case(packing, settings), file));
   PackingConduction out;
   out.axis = settings.axis;
-  const auto& graph = scene.fields.front().graph;
-  const auto particles = static_cast<double>(packing.size());
   const Contacts contacts = find_contacts(packing);
-  out.coordination =
-      2 * static_cast<double>(std::max(contacts.size(), scene.packed->contacts.size())) / particles;
-  const auto& all = contacts.size() >= scene.packed->contacts.size() ? contacts : scene.packed->contacts;
-  const std::vector<double> joined(all.size(), 1.0);
-  const Components components = connected_components(graph.nodes(), all.i, all.j, joined);
-  out.components = components.count;
-  std::vector<char> touches(packing.size(), 0);
-  for (std::size_t k = 0; k < all.size(); ++k)
-    touches[static_cast<std::size_t>(all.i[k])] = touches[static_cast<std::size_t>(all.j[k])] = 1;
-  out.isolated = static_cast<std::size_t>(std::count(touches.begin(), touches.end(), 0));
-  const auto effective = effective_conductivity(scene, scene.fields.front());
-  out.between_layers = effective.value;
-  out.note = effective.note;
-  out.basis = effective.basis;
-  out.length = effective.length;
-  out.area = effective.area;
-  out.passes = !effective.value || *effective.value > 0;
   out.periodic = under_mean_gradient(packing, settings, settings.axis);
-  out.time = two_digits(transit_time(scene, settings.axis, out.between_layers));
-  if (out.passes) out.method = recommended(scene, out.time);
+  try {
+    const Scene scene = load_scene(TomlTable::parse_text(starter_case(packing, settings), file));
+    const Contacts& joined = scene.packed->contacts;
+    describe_contacts(packing, contacts.size() >= joined.size() ? contacts : joined, out);
+    describe_conduction(scene, out);
+  } catch (const NothingFree&) {
+    describe_contacts(packing, contacts, out);
+    out.note = "all particles touch an end, where they would be held: nothing lies between";
+    out.passes = false;
+  }
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include "bench/output/system_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -21,7 +22,7 @@ struct System {
   std::vector<double> diagonal, capacity, source, initial;
   std::vector<std::pair<std::size_t, double>> fixed;  ///< row from 0, value
   std::vector<std::string> name;                      ///< of the rows
-  std::string remarks;
+  std::vector<std::string> remarks;                   ///< what of the scene it does not hold
 };
 
 void join(System& system, std::size_t i, std::size_t j, double conductance) {
@@ -70,11 +71,11 @@ System system_of(const Scene& scene, const FieldScene& field) {
     join(system, static_cast<std::size_t>(graph.i[k]), static_cast<std::size_t>(graph.j[k]),
          graph.conductance[k]);
   add_surroundings(graph, system);
-  if (!graph.tables.empty()) system.remarks += "; inputs that change in time are those at t = 0";
+  if (!graph.tables.empty()) system.remarks.push_back("inputs that change in time are those at t = 0");
   const auto& laws = field.laws.of_material;
   if (std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.varies(); }))
-    system.remarks += "; conductivities are those at their reference";
-  if (!field.algebraic.empty()) system.remarks += "; nodes of capacity 0 are eliminated";
+    system.remarks.push_back("conductivities are those at their reference");
+  if (!field.algebraic.empty()) system.remarks.push_back("nodes of capacity 0 are eliminated");
   return system;
 }
 
@@ -94,9 +95,11 @@ std::string case_text(const Scene& scene, const FieldScene& field, const std::st
                       const System& system) {
   const auto file = [&](const char* name) { return fmt::format("\"{}{}\"", prefix, name); };
   std::string out = fmt::format(
-      "title = \"{} of {}\"\nt_end = {:e}\n\n[network]\nmatrix = {}\nmatrix_kind = \"laplacian\"\n"
-      "field = \"{}\"\ncapacity = {}\nsource = {}\ninitial = {}\n",
-      field.name, scene.name, scene.t_end, file("K.mtx"), field.name, file("capacity.mtx"),
+      "title = \"{} of {}\"\n{}t_end = {}\noutput_times = [{}]\n\n[network]\nmatrix = {}\nmatrix_kind = "
+      "\"laplacian\"\nfield = \"{}\"\ncapacity = {}\nsource = {}\ninitial = {}\n",
+      field.name, scene.name,
+      system.remarks.empty() ? "" : fmt::format("# {}\n", fmt::join(system.remarks, "; ")), scene.t_end,
+      fmt::join(scene.output_times, ", "), file("K.mtx"), field.name, file("capacity.mtx"),
       file("source.mtx"), file("initial.mtx"));
   if (!system.fixed.empty()) out += fmt::format("fixed = {}\n", file("fixed.csv"));
   return out;
@@ -104,13 +107,21 @@ std::string case_text(const Scene& scene, const FieldScene& field, const std::st
 
 }  // namespace
 
-void write_system(const std::string& folder, const Scene& scene) {
+std::vector<std::string> write_system(const std::string& folder, const Scene& scene) {
+  std::vector<System> systems;
+  for (const auto& field : scene.fields) systems.push_back(system_of(scene, field));
   require_writable_folder(folder);
-  for (const auto& field : scene.fields) {
+  std::vector<std::string> warnings;
+  for (std::size_t f = 0; f < systems.size(); ++f) {
+    const FieldScene& field = scene.fields[f];
+    const System& system = systems[f];
     const std::string prefix = scene.fields.size() > 1 ? field.name + "_" : "";
-    const System system = system_of(scene, field);
-    const std::string comment = fmt::format("{} of {}: C dX/dt = -K X + Y, rows of fixed.csv are known{}",
-                                            field.name, scene.name, system.remarks);
+    std::string comment =
+        fmt::format("{} of {}: C dX/dt = -K X + Y, rows of fixed.csv are known", field.name, scene.name);
+    for (const auto& remark : system.remarks) {
+      comment += "; " + remark;
+      warnings.push_back(fmt::format("the system of the {}: {}", field.name, remark));
+    }
     const auto write = [&](const char* name, const std::string& text) {
       write_file_atomically(fmt::format("{}/{}{}", folder, prefix, name), text);
     };
@@ -126,6 +137,7 @@ void write_system(const std::string& folder, const Scene& scene) {
     write("nodes.csv", nodes);
     write("case.toml", case_text(scene, field, prefix, system));
   }
+  return warnings;
 }
 
 }  // namespace superstep

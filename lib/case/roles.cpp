@@ -103,7 +103,7 @@ RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<
     any_free = any_free || report.roles[node] == NodeRole::free;
   }
   if (!any_free)
-    throw InputError(
+    throw NothingFree(
         fmt::format("{}: every node is fixed, so nothing is left to integrate; free some", where));
   return report;
 }

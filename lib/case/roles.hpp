@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/error.hpp"
 #include "network/eliminate.hpp"
 #include "network/graph.hpp"
 #include "network/network.hpp"
@@ -18,12 +19,16 @@ struct RoleReport {
   std::size_t floating = 0;       ///< components without a fixed node that are integrated
 };
 
+struct NothingFree : InputError {
+  using InputError::InputError;
+};
+
 /// A component is idle when all its initial and fixed values are equal and nothing acts on it: no source, no
 /// ambient of another value, nothing that changes in time. When that would leave nothing to integrate, idle
 /// components are integrated all the same.
 ///   acted_on   [nodes] or empty: nodes that something outside the graph acts on
 ///   algebraic  eliminated nodes: they join what they touched, are idle, and where they start says nothing
-/// Throws InputError (beginning with `where`) when every node is fixed.
+/// Throws NothingFree (beginning with `where`) when every node is fixed.
 [[nodiscard]] RoleReport assign_roles(const Graph& graph, const std::string& where,
                                       std::span<const char> acted_on = {},
                                       std::span<const AlgebraicNode> algebraic = {});

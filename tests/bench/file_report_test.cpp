@@ -167,6 +167,16 @@ TEST_F(FileReport, AReaderThatHasSeenEnoughIsNoFault) {
   EXPECT_EQ(folder_.read("code.txt"), "0\n");
 }
 
+TEST_F(FileReport, ParticlesThatAllTouchAnEndStillHaveContacts) {
+  folder_.write("two.csv", "x,y,z,r\n0,0,0,0.55\n0,0,1,0.55\n");
+  ASSERT_EQ(run("info two.csv --conductivity 10"), 0) << err();
+  EXPECT_NE(out().find("nothing lies between"), std::string::npos) << out();
+  EXPECT_NE(out().find("mean coordination                  1"), std::string::npos) << out();
+  folder_.write("inside.csv", "x,y,z,r\n0,0,0,0.55\n0,0,0.1,0.3\n");
+  EXPECT_EQ(run("info inside.csv --conductivity 10"), 3);
+  EXPECT_NE(err().find("inside.csv: particle 1"), std::string::npos) << err();
+}
+
 TEST_F(FileReport, TheSystemOfACaseReadsBack) {
   write_rod(folder_, test::Rod{});
   ASSERT_EQ(run("info rod.toml --matrix system"), 0) << err();
@@ -177,6 +187,8 @@ TEST_F(FileReport, TheSystemOfACaseReadsBack) {
   (*rod.rhs)(0, rod.initial, f);
   (*again.rhs)(0, again.initial, g);
   EXPECT_EQ(f, g) << "the same network in the same order";
+  EXPECT_EQ(again.t_end, rod.t_end);
+  EXPECT_EQ(again.output_times, rod.output_times);
 }
 
 }  // namespace
