@@ -17,10 +17,12 @@ namespace {
   const bool i_is_inner = packing.radius[i] < packing.radius[j];
   const std::size_t inner = i_is_inner ? i : j, outer = i_is_inner ? j : i;
   throw InputError(fmt::format(
-      "particle {} (radius {} m) lies inside particle {} (radius {} m), {} m from its centre; two spheres in "
+      "{}particle {} (radius {} m) lies inside particle {} (radius {} m), {} m from its centre; two spheres "
+      "in "
       "contact must "
       "both reach out of each other: remove the inner one, or check the length unit and the radii",
-      packing.id[inner], packing.radius[inner], packing.id[outer], packing.radius[outer], distance));
+      packing.place.empty() ? "" : packing.place + ": ", packing.id[inner], packing.radius[inner],
+      packing.id[outer], packing.radius[outer], distance));
 }
 
 /// Takes a near pair as a contact if it is one.

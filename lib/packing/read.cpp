@@ -123,8 +123,9 @@ void apply_box(const PackingOptions& options, const std::string& path, Packing& 
                       place, options.periodic, path));
     if (packing.cell) {
       const std::string stated = packing.cell->periodic_axes();
-      packing.cell->periodic = edges;
-      if (const std::string now = packing.cell->periodic_axes(); stated != "none" && now != stated)
+      const auto before = std::exchange(packing.cell->periodic, edges);
+      const bool is_cut = (before[0] && !edges[0]) || (before[1] && !edges[1]) || (before[2] && !edges[2]);
+      if (const std::string now = packing.cell->periodic_axes(); is_cut)
         packing.warnings.push_back(fmt::format(
             "{}: the file says that its box is periodic along {}, {} sides are left out", path, stated,
             options.has_walls ? "and a press has walls instead: contacts across these"
@@ -156,6 +157,7 @@ Packing read_packing(const std::string& path, const PackingOptions& options) {
         options.place.empty() ? path : options.place, path, format.name));
   Packing packing = format.read(file);
   packing.format = format.name;
+  packing.place = path;
   if (auto unfinished = unfinished_line(path, content);
       format.ends_lines && file.is_text && !unfinished.empty())
     packing.warnings.push_back(std::move(unfinished));

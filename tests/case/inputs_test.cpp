@@ -196,6 +196,17 @@ TEST_F(Inputs, GapsAndBondsJoinParticlesThatDoNotOverlap) {
                  "lists every contact");
 }
 
+TEST_F(Inputs, OneTypeOfAllIsAMaterialWhereTheCaseHasIt) {
+  folder_.write("row.csv", "id,type,x,y,z,r\n1,2,0,0,0,1e-3\n2,2,0,0,1.98e-3,1e-3\n");
+  const auto material = [](const char* name, int density) {
+    return std::string("[[materials]]\nname = \"") + name + "\"\ndensity = " + std::to_string(density) +
+           "\nthermal = { conductivity = 1, specific_heat = 1 }\n";
+  };
+  const Scene scene = load("t_end = 1\n[packing]\nfile = \"row.csv\"\n[contact]\nneck = \"hertz\"\n" +
+                           material("1", 1000) + material("2", 8000) + "[thermal]\n");
+  EXPECT_NEAR(scene.fields[0].graph.capacity[0], 8000 * 4.18879e-9, 1e-10);
+}
+
 TEST_F(Inputs, MaterialsBySelection) {
   write_row();
   const auto scene = load("t_end = 1\n[packing]\nfile = \"row.csv\"\n[contact]\nneck = \"hertz\"\n" +

@@ -77,6 +77,27 @@ TEST(ParticleFile, TableBringsWhatItsColumnsSay) {
   }
 }
 
+TEST(ParticleFile, UnitsAndIndicesOfItsColumnsAreRead) {
+  const TemporaryFolder folder;
+  const auto load = [&](const std::string& content, const std::string& more = "") {
+    folder.write("p.csv", content);
+    return load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n" + more)));
+  };
+  const std::string row = "\n7,0.1,0,0,0.04,1000,0,-500,450\n";
+  const std::string units = "id,x,y,z,r,vx [mm/s],vy [mm/s],vz [mm/s],temperature [K]";
+  EXPECT_EQ(load(units + row).state.velocity[0].z, -0.5);
+  EXPECT_EQ(load(units + row).state.temperature[0], 450);
+  EXPECT_EQ(load("id,x,y,z,r,v[0],v[1],v[2],T" + row).state.velocity[0].x, 1000);
+  EXPECT_EQ(load("id,x,y,z,r,a,b,c,t" + row).state.temperature[0], 300) << "a time";
+  const auto refused = [&](const std::string& content, const std::string& more, const std::string& says) {
+    const std::string message = message_of<InputError>([&] { (void)load(content, more); });
+    EXPECT_NE(message.find(says), std::string::npos) << message;
+  };
+  refused("id,x,y,z,r,vx,vy,vz,temperature\n7,0.1,0,0,0.04,0,0,0,hot\n", "", "'temperature' holds text");
+  refused("id,x,y,z,r,vx [m/h],vy [m/h],vz [m/h],T" + row, "", "is in m/h");
+  refused(units + row, "velocity_unit = 1.0\n", "another unit than velocity_unit");
+}
+
 TEST(ParticleFile, WhatAPressCannotUseIsSaid) {
   const TemporaryFolder folder;
   folder.write("p.dump", dump);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "core/text/bracketed_unit.hpp"
 #include "core/text/number.hpp"
 
 namespace superstep {
@@ -13,9 +14,11 @@ std::size_t column_named(const DelimitedTable& table, const std::string& name, c
   const auto& names = table.names();
   for (std::size_t k = 0; k < names.size(); ++k)
     if (lower_case(names[k]) == lower_case(name)) return k;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (lower_case(split_bracketed_unit(names[k]).name) == lower_case(name)) return k;
   if (names.empty() && fallback && *fallback < table.width()) return *fallback;
   throw InputError(fmt::format("{}: there is no column '{}' in the table ({}); its columns are: {}", where,
-                               name, table.where(),
+                               name, table.where_header(),
                                names.empty() ? "not named" : fmt::format("{}", fmt::join(names, ", "))));
 }
 

@@ -8,9 +8,9 @@
 
 namespace superstep {
 
-/// Place of a column, upper and lower case being the same. A table without a header has none by name: then
-/// `fallback` is it, if there is one. Throws InputError, beginning with `where`, that lists the columns that
-/// are there.
+/// Place of a column, upper and lower case being the same, with a unit behind its name or not. A table
+/// without a header has none by name: then `fallback` is it, if there is one. Throws InputError, beginning
+/// with `where`, that lists the columns that are there.
 [[nodiscard]] std::size_t column_named(const DelimitedTable& table, const std::string& name,
                                        const std::string& where, std::optional<std::size_t> fallback = {});
 

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -59,30 +59,55 @@ TimeTable read_lists(TomlTable& table) {
   return out;
 }
 
+/// Unit that a name states: in brackets, or as its last word where that can be nothing else ("time_ms").
+std::string_view stated_unit(std::string_view name) {
+  if (const auto unit = split_bracketed_unit(name).unit; !unit.empty()) return unit;
+  constexpr std::array<std::string_view, 22> words = {
+      "ms",   "us", "µs", "μs", "ns", "min", "minutes", "h",  "hr", "hours", "d",
+      "days", "mK", "mV", "kV", "uV", "mW",  "kW",      "MW", "uW", "mA",    "kA"};
+  const std::size_t cut = name.find_last_of("_/, ");
+  if (cut == std::string_view::npos) return {};
+  const std::string_view last = name.substr(cut + 1);
+  return std::find(words.begin(), words.end(), last) == words.end() ? std::string_view{} : last;
+}
+
 /// Tables of time are in SI units: a column that says otherwise is not read as if it did not.
-void require_unit(const DelimitedTable& rows, std::size_t column,
-                  std::initializer_list<std::string_view> known, const char* way_out) {
+void require_unit(const DelimitedTable& rows, std::size_t column, bool plain(std::string_view),
+                  const char* way_out) {
   if (rows.names().empty()) return;
-  const std::string_view unit = split_bracketed_unit(rows.names()[column]).unit;
-  if (unit.empty() || std::find(known.begin(), known.end(), unit) != known.end()) return;
+  const std::string_view unit = stated_unit(rows.names()[column]);
+  if (unit.empty() || plain(unit)) return;
   throw InputError(
-      fmt::format("{}: column '{}' is in {}; {}", rows.where(), rows.names()[column], unit, way_out));
+      fmt::format("{}: column '{}' is in {}; {}", rows.where_header(), rows.names()[column], unit, way_out));
+}
+
+bool is_second(std::string_view unit) {
+  return unit == "s" || unit == "sec" || unit == "second" || unit == "seconds";
 }
 
 TimeTable read_profile(TomlTable& table, const TomlValue& file) {
   const std::string path = named_path(file),
                     text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
-  DelimitedTable rows(path, text);
+  DelimitedTable rows(path, text, [&](std::string_view word) {
+    for (const char* key : {"time", "value"}) {
+      const auto stated = table.find(key);
+      const std::string name = stated ? stated->string() : key;
+      if (lower_case(split_bracketed_unit(word).name) == lower_case(split_bracketed_unit(name).name))
+        return true;
+    }
+    return false;
+  });
   const auto column = [&](const char* key, std::size_t fallback) {
     const auto stated = table.find(key);
     return column_named(rows, stated ? stated->string() : key, stated ? stated->where() : path,
                         stated ? std::nullopt : std::optional(fallback));
   };
   const std::size_t time = column("time", 0), value = column("value", 1);
-  require_unit(rows, time, {"s", "sec", "second", "seconds"}, "times must be in s");
+  require_unit(rows, time, is_second, "times must be in s");
   if (!table.find("scale"))
-    require_unit(rows, value, {"K", "C", "degC", "°C", "V", "W", "A", "-", "1"},
-                 "values must be in K, V, W or A; or give scale, by which they are multiplied");
+    require_unit(
+        rows, value, [](std::string_view unit) { return !is_second(unit) && is_plain_unit(unit); },
+        "values must be in K, V, W or A; or give scale, by which they are multiplied");
   TimeTable out;
   std::vector<std::size_t> line;
   while (rows.next()) {

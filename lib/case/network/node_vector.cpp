@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <unordered_map>
+#include <utility>
 
 #include "case/inputs/named_column.hpp"
 #include "core/error.hpp"
+#include "core/text/bracketed_unit.hpp"
 #include "core/text/ids_in_words.hpp"
 #include "core/text/number.hpp"
 #include "network/files/matrix_market.hpp"
@@ -29,7 +31,18 @@ NodeVector of_matrix(const std::string& path, std::size_t nodes) {
   return out;
 }
 
+/// Where ids and values stand: by their names where one is called id, else ids come first.
+std::pair<std::size_t, std::size_t> columns_of_pairs(const DelimitedTable& table) {
+  const auto& names = table.names();
+  const auto is_id = [&](std::size_t k) { return lower_case(names[k]) == "id"; };
+  if (names.empty() || is_id(0)) return {0, 1};
+  if (is_id(1)) return {1, 0};
+  throw InputError(fmt::format("{}: the header is '{}'; one of its two columns must be called id",
+                               table.where_header(), table.first_text().substr(0, 120)));
+}
+
 NodeVector of_column(DelimitedTable& table, const std::string& path, std::size_t nodes) {
+  if (!table.names().empty()) require_plain_unit(table.names()[0], table.where_header());
   NodeVector out;
   while (table.next()) {
     const bool gap = lower_case(table.cells()[0]) == "nan";
@@ -44,15 +57,17 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
   std::unordered_map<std::int64_t, std::size_t> position;
   for (std::size_t k = 0; k < id.size(); ++k) position.emplace(id[k], k);
   NodeVector out{std::vector<double>(id.size(), 0.0), std::vector<char>(id.size(), 0)};
+  const auto [id_column, value_column] = columns_of_pairs(table);
+  if (!table.names().empty()) require_plain_unit(table.names()[value_column], table.where_header());
   while (table.next()) {
-    const auto number = parse_whole_number(table.cells()[0]);
+    const auto number = parse_whole_number(table.cells()[id_column]);
     const auto found = number ? position.find(*number) : position.end();
     if (found == position.end())
       throw InputError(fmt::format("{}: id is {}; it must be a node of the network: {}", table.where(),
-                                   in_quotes(table.cells()[0]), ids_in_words(id)));
+                                   in_quotes(table.cells()[id_column]), ids_in_words(id)));
     if (out.given[found->second])
       throw InputError(fmt::format("{}: id {} stands twice; keep one", table.where(), found->first));
-    out.value[found->second] = number_in(table, 1);
+    out.value[found->second] = number_in(table, value_column);
     out.given[found->second] = 1;
   }
   return out;
@@ -63,7 +78,10 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
 NodeVector read_node_vector(const std::string& path, std::span<const std::int64_t> id) {
   const std::string text = read_text_file(path);
   if (is_matrix_market(text)) return of_matrix(path, id.size());
-  DelimitedTable table(path, text);
+  DelimitedTable table(path, text, [](std::string_view word) {
+    const std::string name = lower_case(split_bracketed_unit(word).name);
+    return name == "id" || name == "value" || name == "capacity" || name == "initial" || name == "fixed";
+  });
   if (table.width() == 1) return of_column(table, path, id.size());
   if (table.width() == 2) return of_pairs(table, id);
   throw InputError(fmt::format(

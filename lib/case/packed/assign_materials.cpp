@@ -34,11 +34,23 @@ void drop_unused(Packing& packing) {
   packing.material_names = std::move(names);
 }
 
+/// A type that all particles have is their material where the case describes one of that name.
+void take_single_type(const std::vector<TomlValue>& materials, Packing& packing) {
+  if (!packing.material_names.empty() || packing.single_type.empty()) return;
+  for (const auto& value : materials) {
+    TomlTable table = value.table();
+    const auto name = table.find("name");
+    if (name && name->is_string() && name->string() == packing.single_type)
+      packing.material_names = {packing.single_type};
+  }
+}
+
 }  // namespace
 
 void assign_materials(TomlTable& root, double unit, Packing& packing) {
   const auto list = root.find("materials");
   if (!list || !list->is_array()) return;
+  take_single_type(list->array(), packing);
   const bool named = !packing.material_names.empty();
   std::vector<char> chosen(packing.size(), 0);
   std::optional<TomlValue> last;

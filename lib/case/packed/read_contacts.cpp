@@ -16,6 +16,8 @@
 #include "core/text/ids_in_words.hpp"
 #include "core/text/quantity.hpp"
 #include "core/text/suggest.hpp"
+#include "packing/formats/stated.hpp"
+#include "packing/units.hpp"
 
 namespace superstep {
 namespace {
@@ -28,6 +30,21 @@ struct Neck {
   std::size_t line;
 };
 
+/// Metres per unit of the radii: as their column says, or a comment of the file, or else as in the packing.
+double unit_of_necks(const CsvReader& rows, const std::string& path, std::size_t radius, double usual) {
+  const auto stated = stated_length_unit(path, rows.content());
+  const std::string_view unit = rows.unit(radius);
+  if (unit.empty()) return stated ? stated->metres : usual;
+  const auto metres = length_unit_of_column(std::string(unit));
+  if (!metres)
+    throw InputError(fmt::format("{}: radii are in {}; valid units are: m, cm, mm, um, nm",
+                                 rows.where_header(), in_quotes(unit)));
+  if (stated && stated->metres != *metres)
+    throw InputError(fmt::format("{}: radii are in {} by their column, and in {}; keep one",
+                                 rows.where_header(), unit, stated->words));
+  return *metres;
+}
+
 /// Rows `i,j,radius` by ids of the packing, sorted; no pair twice.
 std::vector<Neck> read_necks(const std::string& path, const PackingScene& scene) {
   enum : std::size_t { i, j, radius };
@@ -36,7 +53,8 @@ std::vector<Neck> read_necks(const std::string& path, const PackingScene& scene)
   for (std::size_t k = 0; k < packing.size(); ++k)
     position.emplace(packing.id[k], static_cast<std::int32_t>(k));
   std::vector<Neck> necks;
-  CsvReader rows(path, {"i", "j", "radius"});
+  CsvReader rows(path, {"i", "j", "radius"}, {}, {"radius"});
+  const double unit = unit_of_necks(rows, path, radius, scene.length_unit);
   while (rows.next()) {
     const auto a = position.find(rows.integer(i)), b = position.find(rows.integer(j));
     if (a == position.end() || b == position.end())
@@ -48,7 +66,7 @@ std::vector<Neck> read_necks(const std::string& path, const PackingScene& scene)
           fmt::format("{}: contact {}-{} with neck radius {}; it must join two particles and be > 0",
                       rows.where(), rows.integer(i), rows.integer(j), rows.number(radius)));
     necks.push_back({std::min(a->second, b->second), std::max(a->second, b->second),
-                     scene.length_unit * rows.number(radius), rows.line()});
+                     unit * rows.number(radius), rows.line()});
   }
   std::sort(necks.begin(), necks.end(), [](const Neck& a, const Neck& b) {
     return std::tie(a.i, a.j, a.line) < std::tie(b.i, b.j, b.line);

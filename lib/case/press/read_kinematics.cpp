@@ -6,12 +6,16 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "case/inputs/column_unit.hpp"
 #include "core/error.hpp"
 #include "core/text/csv.hpp"
 #include "core/text/delimited.hpp"
+#include "core/text/text_file.hpp"
 #include "packing/units.hpp"
 
 namespace superstep::dynamics {
@@ -19,32 +23,51 @@ namespace {
 
 using Axes = std::array<const PackingAttribute*, 3>;
 
+enum class Letters : char { same, any_case };
+
+bool is_called(const std::string& column, std::string_view name, Letters letters) {
+  const std::string_view bare = split_column_unit(column).name;
+  return letters == Letters::same ? bare == name : lower_case(bare) == lower_case(name);
+}
+
+/// The column of that name, with a unit behind it or not; nullptr where there is none.
+const PackingAttribute* find_column(const Packing& packing, const std::string& path, std::string_view name,
+                                    Letters letters = Letters::any_case) {
+  for (const auto& attribute : packing.attributes)
+    if (is_called(attribute.name, name, letters)) return &attribute;
+  for (const auto& column : packing.text_columns)
+    if (is_called(column, name, letters))
+      throw InputError(fmt::format(
+          "{}: column '{}' holds text; a press takes it for numbers: correct them, or give it another name",
+          path, column));
+  return nullptr;
+}
+
 /// The velocity under one of the names that particle codes and their exports give it.
-Axes velocity_columns(const Packing& packing) {
-  constexpr std::array<std::array<const char*, 3>, 4> plain = {{{"vx", "vy", "vz"},
-                                                                {"v_x", "v_y", "v_z"},
-                                                                {"velocity_x", "velocity_y", "velocity_z"},
-                                                                {"velx", "vely", "velz"}}};
-  for (const auto& names : plain) {
-    const Axes axes{find_attribute(packing, names[0]), find_attribute(packing, names[1]),
-                    find_attribute(packing, names[2])};
-    if (axes[0] || axes[1] || axes[2]) return axes;
-  }
+Axes velocity_columns(const Packing& packing, const std::string& path) {
+  const auto axes_of = [&](const std::array<std::string, 3>& names) {
+    return Axes{find_column(packing, path, names[0]), find_column(packing, path, names[1]),
+                find_column(packing, path, names[2])};
+  };
+  const std::array<std::array<std::string, 3>, 4> plain = {{{"vx", "vy", "vz"},
+                                                            {"v_x", "v_y", "v_z"},
+                                                            {"velocity_x", "velocity_y", "velocity_z"},
+                                                            {"velx", "vely", "velz"}}};
+  for (const auto& names : plain)
+    if (const Axes axes = axes_of(names); axes[0] || axes[1] || axes[2]) return axes;
   for (const char* vector : {"velocity", "velocities", "vel", "velo", "v", "linVelVec", "linear_velocity"})
-    if (find_attribute(packing, fmt::format("{}:0", vector))) {
-      const auto axis = [&](int k) { return find_attribute(packing, fmt::format("{}:{}", vector, k)); };
-      return {axis(0), axis(1), axis(2)};
+    for (const char* pattern : {"{}:{}", "{}[{}]"}) {
+      const auto axis = [&](int k) { return fmt::format(fmt::runtime(pattern), vector, k); };
+      if (const Axes axes = axes_of({axis(0), axis(1), axis(2)}); axes[0]) return axes;
     }
   return {};
 }
 
-const PackingAttribute* temperature_column(const Packing& packing) {
-  for (const char* name : {"temperature", "Temp", "T", "f_Temp", "f_Temp[0]"}) {
-    if (const auto* column = find_attribute(packing, name)) return column;
-    for (const auto& column : packing.attributes)
-      if (lower_case(split_column_unit(column.name).name) == lower_case(name)) return &column;
-  }
-  return nullptr;
+/// A lone T is a temperature, a t a time.
+const PackingAttribute* temperature_column(const Packing& packing, const std::string& path) {
+  for (const char* name : {"temperature", "temp", "f_temp", "f_temp[0]"})
+    if (const auto* column = find_column(packing, path, name)) return column;
+  return find_column(packing, path, "T", Letters::same);
 }
 
 bool is_flat(const Packing& packing) {
@@ -62,7 +85,7 @@ double value_at(const PackingAttribute& column, const Packing& packing, std::siz
   return value;
 }
 
-/// Metres per second of a unit of velocity in the file.
+/// Metres per second of a unit of velocity in the file, where its columns do not say.
 double velocity_unit(const Packing& packing, const std::string& path) {
   if (packing.unit_style.empty() || packing.unit_style == "lj") return packing.length_unit;
   if (const auto known = unit_style_velocity(packing.unit_style)) return *known;
@@ -70,6 +93,20 @@ double velocity_unit(const Packing& packing, const std::string& path) {
       fmt::format("{}: its velocities are in units {}, whose unit of time is not sure; say what one of them "
                   "is in m/s: [dynamics.particles] velocity_unit",
                   path, packing.unit_style));
+}
+
+/// The same of one column that says it, as in "vx [mm/s]".
+std::optional<double> stated_velocity_unit(const PackingAttribute& column, const std::string& path) {
+  const std::string_view unit = split_column_unit(column.name).unit;
+  if (unit.empty()) return std::nullopt;
+  const auto metres = unit.ends_with("/s")
+                          ? length_unit_of_column(lower_case(trimmed(unit.substr(0, unit.size() - 2))))
+                          : std::nullopt;
+  if (!metres)
+    throw InputError(
+        fmt::format("{}: column '{}' is in {}; valid units of velocity are m/s, cm/s, mm/s, um/s, nm/s", path,
+                    column.name, unit));
+  return metres;
 }
 
 [[noreturn]] void unknown(const CsvReader& rows, std::int64_t id) {
@@ -80,31 +117,38 @@ double velocity_unit(const Packing& packing, const std::string& path) {
 
 Kinematics read_kinematics(const std::string& path, const Packing& packing, std::optional<double> unit) {
   Kinematics out;
-  const Axes axes = velocity_columns(packing);
+  const Axes axes = velocity_columns(packing, path);
   if (axes[0] || axes[1] || axes[2]) {
-    const double metres_per_second = unit ? *unit : velocity_unit(packing, path);
+    std::array<double, 3> metres_per_second{};
     const char* names[] = {"x", "y", "z"};
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!axes[axis] && !(axis == 2 && is_flat(packing)))
         throw InputError(fmt::format("{}: has velocities, but none along {}; add the column, or remove them",
                                      path, names[axis]));
+      const auto stated = axes[axis] ? stated_velocity_unit(*axes[axis], path) : std::nullopt;
+      if (stated && unit && *stated != *unit)
+        throw InputError(
+            fmt::format("{}: column '{}' says another unit than velocity_unit = {} m/s; keep one", path,
+                        axes[axis]->name, *unit));
+      metres_per_second[axis] = stated ? *stated : unit ? *unit : velocity_unit(packing, path);
+    }
     const auto along = [&](std::size_t axis, std::size_t k) {
-      return axes[axis] ? value_at(*axes[axis], packing, k, path) : 0.0;
+      return axes[axis] ? metres_per_second[axis] * value_at(*axes[axis], packing, k, path) : 0.0;
     };
     for (std::size_t k = 0; k < packing.size(); ++k)
-      out.velocity.push_back(metres_per_second * Vec3{along(0, k), along(1, k), along(2, k)});
+      out.velocity.push_back({along(0, k), along(1, k), along(2, k)});
   }
-  if (const auto* column = temperature_column(packing)) {
-    require_column_unit(column->name, "K", path);
-    for (std::size_t k = 0; k < packing.size(); ++k) {
-      const double kelvin = value_at(*column, packing, k, path);
-      if (!(kelvin >= 0))
-        throw InputError(
-            fmt::format("{}: particle {} has the temperature {} in its column '{}'; it must be "
-                        ">= 0 K",
-                        path, packing.id[k], kelvin, column->name));
-      out.temperature.push_back(kelvin);
-    }
+  const auto* column = temperature_column(packing, path);
+  if (column == nullptr) return out;
+  require_column_unit(column->name, "K", path);
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const double kelvin = value_at(*column, packing, k, path);
+    if (!(kelvin >= 0))
+      throw InputError(
+          fmt::format("{}: particle {} has the temperature {} in its column '{}'; it must be "
+                      ">= 0 K",
+                      path, packing.id[k], kelvin, column->name));
+    out.temperature.push_back(kelvin);
   }
   return out;
 }

@@ -170,6 +170,8 @@ std::vector<std::size_t> materials_of(const TomlValue& file, const Packing& pack
   if (!reading.several())
     return std::vector<std::size_t>(std::max<std::size_t>(1, packing.material_names.size()), 0);
   if (packing.material_names.empty() && reading.materials.size() == 1) return {0};
+  if (const auto all = reading.material(packing.single_type); packing.material_names.empty() && all)
+    return {*all};
   if (packing.material_names.empty())
     file.reject(
         "it names no materials, and the case has [[materials]]; add a column, or give one [material]");

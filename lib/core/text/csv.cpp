@@ -7,29 +7,38 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text/bracketed_unit.hpp"
 #include "core/text/number.hpp"
 #include "core/text/suggest.hpp"
 
 namespace superstep {
 
-CsvReader::CsvReader(std::string path, std::vector<std::string> required, std::vector<std::string> optional)
+CsvReader::CsvReader(std::string path, std::vector<std::string> required, std::vector<std::string> optional,
+                     const std::vector<std::string>& with_units)
     : path_(std::move(path)), content_(read_text_file(path_)), columns_(required) {
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   position_.assign(columns_.size(), -1);
-  table_.emplace(path_, content_);
-  place_columns(required.size());
+  table_.emplace(path_, content_, [&](std::string_view word) {
+    const std::string name = lower_case(split_bracketed_unit(word).name);
+    return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
+  });
+  place_columns(required.size(), with_units);
 }
 
-void CsvReader::place_columns(std::size_t required) {
+void CsvReader::place_columns(std::size_t required, const std::vector<std::string>& with_units) {
   const auto& header = table_->names();
   for (std::size_t k = 0; k < header.size(); ++k) {
-    const auto column = std::find(columns_.begin(), columns_.end(), lower_case(header[k]));
+    const std::string name = lower_case(split_bracketed_unit(header[k]).name);
+    const auto column = std::find(columns_.begin(), columns_.end(), name);
     if (column == columns_.end())
-      throw InputError(fmt::format("{}: unknown column {} in the header{}", where(), in_quotes(header[k]),
-                                   suggestion(header[k], columns_)));
+      throw InputError(fmt::format("{}: unknown column {} in the header{}", where_header(),
+                                   in_quotes(header[k]), suggestion(header[k], columns_)));
+    const bool reads_units = std::find(with_units.begin(), with_units.end(), *column) != with_units.end();
+    if (!reads_units) require_plain_unit(header[k], where_header());
     auto& position = position_[static_cast<std::size_t>(column - columns_.begin())];
     if (position >= 0)
-      throw InputError(fmt::format("{}: column '{}' stands twice in the header; keep one", where(), *column));
+      throw InputError(
+          fmt::format("{}: column '{}' stands twice in the header; keep one", where_header(), *column));
     position = static_cast<std::ptrdiff_t>(k);
   }
   if (header.empty() && table_->width() == required)
@@ -37,8 +46,9 @@ void CsvReader::place_columns(std::size_t required) {
       position_[column] = static_cast<std::ptrdiff_t>(column);
   for (std::size_t column = 0; column < required; ++column)
     if (!has(column))
-      throw InputError(fmt::format("{}: column '{}' is missing from the header '{}'; expected {}", where(),
-                                   columns_[column], table_->first_text().substr(0, 120), names()));
+      throw InputError(fmt::format("{}: column '{}' is missing from the header '{}'; expected {}",
+                                   where_header(), columns_[column], table_->first_text().substr(0, 120),
+                                   names()));
 }
 
 std::string CsvReader::names() const {
@@ -56,6 +66,12 @@ bool CsvReader::next() {
 std::string_view CsvReader::text(std::size_t column) const noexcept {
   const auto position = position_[column];
   return position < 0 ? std::string_view{} : table_->cells()[static_cast<std::size_t>(position)];
+}
+
+std::string_view CsvReader::unit(std::size_t column) const noexcept {
+  const auto position = position_[column];
+  if (position < 0 || table_->names().empty()) return {};
+  return split_bracketed_unit(table_->names()[static_cast<std::size_t>(position)]).unit;
 }
 
 double CsvReader::number(std::size_t column) const {

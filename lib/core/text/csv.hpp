@@ -16,9 +16,11 @@ class CsvReader {
  public:
   /// Reads `path` and its header (see DelimitedTable), in which upper and lower case are the same. Every
   /// required column must stand in it, in any order; optional ones may; anything else is an error that names
-  /// the nearest valid column. Rows without a header hold the required columns, in their order. Throws
-  /// InputError.
-  CsvReader(std::string path, std::vector<std::string> required, std::vector<std::string> optional = {});
+  /// the nearest valid column. Rows without a header hold the required columns, in their order. A unit in
+  /// brackets behind a name must be one that numbers are taken in anyway, except for columns `with_units`.
+  /// Throws InputError.
+  CsvReader(std::string path, std::vector<std::string> required, std::vector<std::string> optional = {},
+            const std::vector<std::string>& with_units = {});
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
@@ -27,15 +29,20 @@ class CsvReader {
   /// Columns are numbered as given: required ones first, then optional ones.
   [[nodiscard]] bool has(std::size_t column) const noexcept { return position_[column] >= 0; }
   [[nodiscard]] std::string_view text(std::size_t column) const noexcept;
+  /// That stands in brackets behind its name; empty for none.
+  [[nodiscard]] std::string_view unit(std::size_t column) const noexcept;
   [[nodiscard]] double number(std::size_t column) const;
   /// May be written with a fraction of zero, as 3.0 or 3e0.
   [[nodiscard]] std::int64_t integer(std::size_t column) const;
   [[nodiscard]] std::size_t line() const noexcept { return table_->line(); }
   /// "file:line", to begin an error message with.
   [[nodiscard]] std::string where() const;
+  [[nodiscard]] std::string where_header() const { return table_->where_header(); }
+  /// Of the whole file.
+  [[nodiscard]] std::string_view content() const noexcept { return content_; }
 
  private:
-  void place_columns(std::size_t required);
+  void place_columns(std::size_t required, const std::vector<std::string>& with_units);
   [[nodiscard]] std::string names() const;
 
   std::string path_, content_;

@@ -70,6 +70,24 @@ bool tabs_divide(std::string_view line) noexcept {
   }
 }
 
+/// Names of columns in one line. Between blanks, what stands in brackets belongs to the name before it:
+/// "x [mm] y [mm]" are two. Empty where a quote is not closed.
+std::vector<std::string> names_in(std::string_view line, char delimiter) {
+  std::vector<std::string_view> cells;
+  std::vector<std::string> names;
+  if (!split_cells(line, delimiter, cells)) return names;
+  bool open = false;  // a bracket
+  for (const std::string_view cell : cells) {
+    const bool opens = delimiter == ' ' && !cell.empty() && (cell.front() == '[' || cell.front() == '(');
+    if ((opens || open) && !names.empty())
+      names.back() += fmt::format(" {}", cell);
+    else
+      names.emplace_back(cell);
+    open = (opens || open) && cell.find_first_of("])") == std::string_view::npos;
+  }
+  return names;
+}
+
 bool all_blank(const std::vector<std::string_view>& cells) {
   return std::all_of(cells.begin(), cells.end(), [](auto cell) { return cell.empty(); });
 }
@@ -110,15 +128,19 @@ bool is_comment_or_blank(std::string_view line) noexcept {
   return line.empty() || line.front() == '#' || line.front() == '%';
 }
 
-DelimitedTable::DelimitedTable(std::string path, std::string_view text)
+DelimitedTable::DelimitedTable(std::string path, std::string_view text,
+                               const std::function<bool(std::string_view)>& is_column)
     : path_(std::move(path)), lines_(text) {
-  std::string_view comment;
+  std::vector<Comment> comments;
   while (lines_.next() && is_comment_or_blank(lines_.line()))
-    if (!trimmed(lines_.line()).empty()) comment = trimmed(lines_.line()).substr(1);
+    if (!trimmed(lines_.line()).empty())
+      comments.push_back({trimmed(trimmed(lines_.line()).substr(1)), lines_.number()});
   const std::string_view separator = trimmed(lines_.line());
   const bool stated =
       separator.size() == 5 && lower_case(separator.substr(0, 4)) == "sep=";  // spreadsheets' own line
-  if (stated) lines_.next();
+  if (stated)
+    while (lines_.next() && is_comment_or_blank(lines_.line())) {
+    }
   first_text_ = lines_.line();
   first_line_ = line_ = lines_.number();
   delimiter_ = stated ? separator[4] : delimiter_of(first_text_);
@@ -126,21 +148,58 @@ DelimitedTable::DelimitedTable(std::string path, std::string_view text)
   width_ = cells_.size();
   if (std::any_of(cells_.begin(), cells_.end(), is_name) &&
       std::none_of(cells_.begin(), cells_.end(), is_number)) {
-    names_.assign(cells_.begin(), cells_.end());
+    names_ = names_in(first_text_, delimiter_);
+    width_ = names_.size();
     return;
   }
   row_waits_ = !is_comment_or_blank(first_text_);
-  std::vector<std::string_view> cells;
-  for (const char delimiter : {delimiter_, delimiter_of(comment)})
-    if (split_cells(comment, delimiter, cells) && cells.size() == width_ &&
-        std::all_of(cells.begin(), cells.end(), is_name)) {
-      names_.assign(cells.begin(), cells.end());
+  take_header_from(comments, is_column);
+}
+
+void DelimitedTable::take_header_from(const std::vector<Comment>& comments,
+                                      const std::function<bool(std::string_view)>& is_column) {
+  const auto are_columns = [&](const std::vector<std::string>& names) {
+    if (names.size() != width_ || !std::all_of(names.begin(), names.end(), is_name)) return false;
+    if (!is_column) return true;
+    const auto known = static_cast<std::size_t>(std::count_if(names.begin(), names.end(), is_column));
+    return 2 * known >= width_;
+  };
+  for (auto comment = comments.rbegin(); comment != comments.rend(); ++comment)
+    for (const char delimiter : {delimiter_, delimiter_of(comment->text)}) {
+      auto names = names_in(comment->text, delimiter);
+      if (!are_columns(names)) continue;
+      names_ = std::move(names);
+      first_text_ = comment->text;
+      first_line_ = comment->line;
       return;
     }
+  if (!is_column) return;
+  for (const auto& comment : comments) reject_half_a_header(comment, is_column);
+}
+
+void DelimitedTable::reject_half_a_header(const Comment& comment,
+                                          const std::function<bool(std::string_view)>& is_column) const {
+  std::size_t known = 0;
+  for (std::string_view word : names_in(comment.text, ' ')) {
+    while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
+    if (!is_column(word)) break;
+    ++known;
+  }
+  if (known < 2 || known + 1 < width_) return;
+  throw InputError(fmt::format(
+      "{}:{}: the comment {} begins like a header of {} columns and goes on otherwise; let it hold one name "
+      "for "
+      "each column and nothing else, units in brackets behind the names (x [mm]), or begin it with another "
+      "word",
+      path_, comment.line, in_quotes(comment.text), width_));
 }
 
 std::string DelimitedTable::where() const {
   return fmt::format("{}:{}", path_, line_);
+}
+
+std::string DelimitedTable::where_header() const {
+  return fmt::format("{}:{}", path_, first_line_);
 }
 
 void DelimitedTable::split(std::string_view line) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,9 +29,14 @@ bool split_cells(std::string_view line, char delimiter, std::vector<std::string_
 class DelimitedTable {
  public:
   /// Finds delimiter and header of `text`, which must outlive the table. The header is the first line that is
-  /// no comment, where it holds a word and no number; else the last comment before it, where that has as many
-  /// cells and no number (as numpy.savetxt writes it); else there is none.
-  DelimitedTable(std::string path, std::string_view text);
+  /// no comment, where it holds a word and no number; else the last comment before it that has as many cells
+  /// and no number (as numpy.savetxt writes it); else there is none.
+  ///   is_column  whether a word names a column of such tables; without it any word may. A comment is a
+  ///   header
+  ///              when half of its cells do. One that begins with names and goes on otherwise may hold units,
+  ///              and throws InputError.
+  DelimitedTable(std::string path, std::string_view text,
+                 const std::function<bool(std::string_view)>& is_column = {});
 
   /// Names of the columns as they are written; empty without a header.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
@@ -46,10 +52,20 @@ class DelimitedTable {
   bool next();
   [[nodiscard]] const std::vector<std::string_view>& cells() const noexcept { return cells_; }
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
-  /// "file:line", to begin an error message with.
+  /// "file:line" of the row, to begin an error message with.
   [[nodiscard]] std::string where() const;
+  /// The same of the header, or of the first row where there is none.
+  [[nodiscard]] std::string where_header() const;
 
  private:
+  struct Comment {
+    std::string_view text;
+    std::size_t line;
+  };
+  void take_header_from(const std::vector<Comment>& comments,
+                        const std::function<bool(std::string_view)>& is_column);
+  void reject_half_a_header(const Comment& comment,
+                            const std::function<bool(std::string_view)>& is_column) const;
   void split(std::string_view line);
 
   std::string path_;

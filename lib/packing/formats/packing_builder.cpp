@@ -103,7 +103,9 @@ void PackingBuilder::set_material(std::string_view name) {
 }
 
 void PackingBuilder::drop_single_material() {
-  if (packing_.material_names.size() == 1) packing_.material_names.clear();
+  if (packing_.material_names.size() != 1) return;
+  packing_.single_type = packing_.material_names.front();
+  packing_.material_names.clear();
 }
 
 void PackingBuilder::check_ids() const {

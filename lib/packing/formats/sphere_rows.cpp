@@ -234,7 +234,10 @@ Packing SphereRows::finish() {
   packing.warnings = std::move(head_.warnings);
   note_columns(packing);
   for (std::size_t k = 0; k < attributes_.size(); ++k)
-    if (!is_text_[k]) packing.attributes.push_back(std::move(attributes_[k]));
+    if (is_text_[k])
+      packing.text_columns.push_back(std::move(attributes_[k].name));
+    else
+      packing.attributes.push_back(std::move(attributes_[k]));
   if (!layout_.cell) return packing;
   packing.cell = cell_in_metres();
   if (layout_.cell_binds) require_inside_cell(packing, columns_.is_unwrapped(), path_, lines);

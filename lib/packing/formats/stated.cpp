@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/text/delimited.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/text_row.hpp"
 #include "packing/units.hpp"
@@ -11,14 +12,18 @@ namespace superstep {
 
 std::optional<StatedValue> stated_value(std::string_view text, std::string_view key) {
   LineReader lines(text);
-  while (lines.next()) {
+  int rows = 0;  // a header, and the first row below it
+  while (rows < 2 && lines.next()) {
     std::string_view line = trimmed(lines.line());
     if (line.empty()) continue;
-    if (line.front() != '#') break;
+    if (line.front() != '#' && line.front() != '%') {
+      ++rows;
+      continue;
+    }
     line = trimmed(line.substr(1));
-    if (!line.starts_with(key)) continue;
+    if (lower_case(line.substr(0, key.size())) != key) continue;
     line = trimmed(line.substr(key.size()));
-    if (line.empty() || line.front() != '=') continue;
+    if (line.empty() || (line.front() != '=' && line.front() != ':')) continue;
     line = trimmed(line.substr(1));
     if (line.size() >= 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
     return StatedValue{std::string(line), lines.number()};

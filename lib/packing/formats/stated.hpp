@@ -15,7 +15,8 @@ struct StatedValue {
   std::size_t line = 0;
 };
 
-/// Value of `# key = value` among the comments before everything else; nothing when it is not there.
+/// Value of `# key = value` among the comments at the top, below a header, too; nothing when it is not there.
+/// The key in upper or lower case, `:` for `=` and `%` for `#` will do.
 [[nodiscard]] std::optional<StatedValue> stated_value(std::string_view text, std::string_view key);
 
 /// Unit of `# length_unit = "um"`. Throws InputError for a unit that does not exist.

@@ -76,6 +76,10 @@ SphereColumns find_sphere_columns(std::span<const std::string> names, const Colu
   return columns;
 }
 
+bool is_sphere_column(std::string_view name) {
+  return !usual_meaning(name).empty();
+}
+
 bool names_a_position(std::span<const std::string> names) {
   std::vector<std::string> plain;
   for (const auto& name : names) plain.push_back(plain_name(name).name);

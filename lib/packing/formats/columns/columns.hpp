@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace superstep {
@@ -53,6 +54,9 @@ struct ColumnRules {
 /// only upper and lower case, blanks or units differ.
 [[nodiscard]] SphereColumns find_sphere_columns(std::span<const std::string> names, const ColumnRules& rules,
                                                 const std::string& place, const std::string& header);
+
+/// True for a name of a position, a size, an id or a material.
+[[nodiscard]] bool is_sphere_column(std::string_view name);
 
 /// True when the names hold a position in three dimensions.
 [[nodiscard]] bool names_a_position(std::span<const std::string> names);
