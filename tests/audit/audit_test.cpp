@@ -231,6 +231,22 @@ TEST(AutoAudit, KeepsItsWordWhenAPotentialHasSettled) {
       }
 }
 
+/// Held temperatures exchange a million spans in a panel of the exponential, whose series once counted as if
+/// it were one: what it left out grew with the time.
+TEST(OneWayExponential, KeepsItsWordOverLongPanelsBetweenHeldTemperatures) {
+  TimeLimit limit(5);
+  const auto stated = state_scene(104, {.kind = "one-way"});
+  const Truth truth = find_truth(stated);
+  const Scene scene = build_scene(stated);
+  for (const auto& method : adaptive_contenders())
+    if (method.label == "exponential")
+      for (const double rtol : {1e-2, 1e-3, 1e-5}) {
+        const Row row = judge(stated, scene, truth, method, rtol, {}, limit);
+        EXPECT_EQ(row.status, "ok") << row.reason;
+        EXPECT_LT(row.delivered, 1) << rtol;
+      }
+}
+
 /// Electrodes that touch each other and change in time: the potential of no free node feels them, but the
 /// current between them heats. Every method once slept through their pulses, and all of them agreed.
 TEST(PulsesBetweenElectrodes, HeatUnderEveryMethod) {

@@ -14,6 +14,9 @@ namespace superstep {
 namespace {
 
 constexpr double share = 0.25;  // of the tolerance for each source of error
+/// Of that for the potential: heat comes from differences between neighbours, and they may be small beside
+/// the span. A digit more is a few terms.
+constexpr double of_potential = 0.05;
 
 /// Times of the Chebyshev-Lobatto points of a panel as parts of its length, 0 ... 1.
 double point_position(std::size_t m, std::size_t degree) {
@@ -162,7 +165,7 @@ void OneWayExponential::propagate_potential(double h) {
   std::vector<std::vector<double>> c;
   for (std::size_t m = 1; m <= degree; ++m) {
     const double elapsed = h * point_position(m, degree);
-    c.push_back(exponential_series(elapsed * radius / 2, tolerance_, scale.over(elapsed)).c);
+    c.push_back(exponential_series(elapsed * radius / 2, of_potential * tolerance_, scale.over(elapsed)).c);
     std::fill(point_[m].begin(), point_[m].end(), 0.0);
   }
   const std::size_t terms = c.back().size();
@@ -215,9 +218,18 @@ double OneWayExponential::heat_error(double h) const {
   return 0.5 * h * (rms(reduction, expansion_[degree]) + rms(reduction, expansion_[degree - 1]));
 }
 
+/// What heat and inputs would change in the panel if nothing flowed off, in spans: what is left out of their
+/// series is a part of that. Held temperatures and surroundings exchange many spans in a long panel.
+double OneWayExponential::input_size(double h) const {
+  const auto& reduction = halves_->driven().reduction();
+  double rate = 0;
+  for (const auto& r : expansion_) rate += rms(reduction, r);
+  return temperature_span_ > 0 ? h * rate / temperature_span_ : 0;
+}
+
 void OneWayExponential::propagate_temperature(double h) {
   const DuhamelPanel panel{h, driven_radius_, degree};
-  const std::size_t terms = duhamel_terms(panel, tolerance_);
+  const std::size_t terms = duhamel_terms(panel, tolerance_ / std::max(1.0, input_size(h)));
   for (double& value : temperature()) value -= offset_;
   if (plan_->track_inflow) gain_inflow(h, panel, terms);
   clenshaw(end_coefficients(panel, terms), y1_);

@@ -47,6 +47,7 @@ class OneWayExponential final : public Propagator {
   void expand_heat(double h);
   /// Error that the truncated expansion leaves in the temperature [K].
   [[nodiscard]] double heat_error(double h) const;
+  [[nodiscard]] double input_size(double h) const;
   void propagate_temperature(double h);
   /// out = sum_k T_k(1 - 2 A/rho) [ state_k T + sum_p source_pk r_p ]
   void clenshaw(const DuhamelCoefficients& coefficients, StateVector& out);
