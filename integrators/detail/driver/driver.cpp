@@ -268,7 +268,7 @@ void Driver::settle_if_steady() {
   const std::size_t driver = coupling.driver().size();
   full_ = state_;
   driven_rate_.resize(coupling.driven().size());
-  coupling.rate(t_, std::span<const double>(state_).first(driver), driven_rate_);
+  coupling.rate(t_, settling_.final_state(), driven_rate_);
   coupling.drive(driven_rate_);
   settled_at_ = t_;
   whole_->leave();

@@ -17,6 +17,8 @@ class Settling {
   /// end.
   [[nodiscard]] bool is_steady(double t, std::span<const double> y);
   [[nodiscard]] OneWayCoupling* coupling() const noexcept { return coupling_; }
+  /// What the driver tends to, once it is steady: nearer to what follows than where it stands.
+  [[nodiscard]] std::span<const double> final_state() const noexcept { return final_; }
 
  private:
   OneWayCoupling* coupling_ = nullptr;
