@@ -60,7 +60,7 @@ const char* ComparedRow::words() const {
 std::vector<ComparedRow> compare(const ResultsFile& a, const ResultsFile& b) {
   std::vector<ComparedRow> rows;
   for (const auto& one : a.cases) {
-    const MeasuredCase* other = b.find(one.name);
+    const MeasuredCase* other = b.find_same(one, a.path);
     if (!other) continue;
     for (const auto& row : one.rows)
       if (const MeasuredRow* twin = other->find(row.spec)) rows.push_back(compare_rows(one.name, row, *twin));

@@ -49,7 +49,7 @@ class Judge {
  private:
   void judge_case(const MeasuredCase& before) {
     case_ = before.name;
-    const MeasuredCase* now = now_.find(before.name);
+    const MeasuredCase* now = now_.find_same(before, baseline_.path);
     if (!now) {
       spec_ = "";
       return add("case", "measured", "not measured", GateVerdict::inconclusive);

@@ -1,5 +1,7 @@
 #include "reports/gate/results_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -94,6 +96,20 @@ const MeasuredRow* MeasuredCase::find(const std::string& spec) const {
 const MeasuredCase* ResultsFile::find(const std::string& name) const {
   const auto one = std::find_if(cases.begin(), cases.end(), [&](const auto& c) { return c.name == name; });
   return one == cases.end() ? nullptr : &*one;
+}
+
+const MeasuredCase* ResultsFile::find_same(const MeasuredCase& one, const std::string& other_path) const {
+  const MeasuredCase* here = find(one.name);
+  if (here == nullptr || here->rows.empty() || one.rows.empty()) return here;
+  for (const char* fact : {"nodes", "contacts", "t_end"}) {
+    const auto a = here->rows.front().number(fact), b = one.rows.front().number(fact);
+    if (a && b && *a != *b)
+      throw InputError(
+          fmt::format("{}: case '{}' has {} = {}, and {} in {}: they are two cases of one name; "
+                      "measure one of them again, or rename it",
+                      path, one.name, fact, *a, *b, other_path));
+  }
+  return here;
 }
 
 bool ResultsFile::has_samples() const {

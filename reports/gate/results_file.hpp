@@ -41,6 +41,9 @@ struct ResultsFile {
   std::vector<MeasuredCase> cases;
 
   [[nodiscard]] const MeasuredCase* find(const std::string& name) const;
+  /// The case of another file; null where it is not here. Throws InputError where another one has its name:
+  /// of another size, or that ends at another time.
+  [[nodiscard]] const MeasuredCase* find_same(const MeasuredCase& one, const std::string& other_path) const;
   /// True when some method was timed.
   [[nodiscard]] bool has_samples() const;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/text/quantity.hpp"
 #include "results/text/html_text.hpp"
 
@@ -73,6 +74,11 @@ std::vector<Change> changes_of(const BenchReport& report, const BenchReport& bef
   for (const auto& one : report.cases)
     for (const auto& row : one.rows) {
       const BenchRow* old = same_run(before, row);
+      if (old && (old->nodes != row.nodes || old->t_end != row.t_end))
+        throw InputError(fmt::format(
+            "case '{}' has {} nodes and ends at {:g} s, and before {} and {:g} s: they are two cases of one "
+            "name; measure one of them again, or rename it",
+            row.case_name, row.nodes, row.t_end, old->nodes, old->t_end));
       Change change = old ? compare(row, *old) : Change{.row = &row, .what = {"new"}};
       if (!change.what.empty()) changes.push_back(std::move(change));
     }
