@@ -13,7 +13,7 @@ namespace {
 
 struct ComponentFacts {
   bool seen = false, uniform = true, acted_on = false, sourced = false;
-  bool has_fixed = false, has_free = false, fixed_differ = false;
+  bool has_fixed = false, has_free = false, fixed_differ = false, follows_table = false;
   double value = 0, fixed_value = 0;
   [[nodiscard]] bool idle() const noexcept { return uniform && !acted_on && !sourced && has_free; }
 };
@@ -48,8 +48,11 @@ void examine_values(const Graph& graph, const Components& components, std::span<
     if (fact.seen && value != fact.value) fact.uniform = false;
     fact.seen = true;
     fact.value = value;
-    if (fixed && !graph.fixed_table.empty() && graph.fixed_table[node] >= 0) fact.uniform = false;
-    if (fixed && fact.has_fixed && value != fact.fixed_value) fact.fixed_differ = true;
+    const bool varies = fixed && !graph.fixed_table.empty() && graph.fixed_table[node] >= 0;
+    fact.follows_table = fact.follows_table || varies;
+    if (varies) fact.uniform = false;
+    if (fixed && fact.has_fixed && (fact.follows_table || value != fact.fixed_value))
+      fact.fixed_differ = true;
     if (fixed) fact.fixed_value = value;
     fact.sourced = fact.sourced || (!fixed && graph.source[node] != 0);
     (fixed ? fact.has_fixed : fact.has_free) = true;
