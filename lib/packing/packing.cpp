@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/text/delimited.hpp"
+#include "core/text/bracketed_unit.hpp"
 
 namespace superstep {
 
 const PackingAttribute* find_attribute(const Packing& packing, const std::string& name) {
-  for (const auto& attribute : packing.attributes)
-    if (attribute.name == name) return &attribute;
-  for (const auto& attribute : packing.attributes)
-    if (lower_case(attribute.name) == lower_case(name)) return &attribute;
-  return nullptr;
+  std::vector<std::string> names;
+  for (const auto& attribute : packing.attributes) names.push_back(attribute.name);
+  const auto place = place_of_name(names, name, packing.place);
+  return place ? &packing.attributes[*place] : nullptr;
 }
 
 Bounds surface_bounds(const Packing& packing) {

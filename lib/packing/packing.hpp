@@ -52,7 +52,8 @@ struct Packing {
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
 };
 
-/// The attribute of that name, upper and lower case being the same; nullptr where there is none.
+/// The attribute of that name, or of one that differs in case or has a unit behind it; nullptr where there is
+/// none. Throws InputError where several are as good.
 [[nodiscard]] const PackingAttribute* find_attribute(const Packing& packing, const std::string& name);
 
 /// Box around the surfaces of all spheres, those that others have included. The packing must not be empty.

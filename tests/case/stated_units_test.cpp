@@ -43,6 +43,20 @@ TEST_F(StatedUnits, ACommentThatNamesTheColumnsIsTheirHeader) {
   EXPECT_EQ(packing("# x y z r\n# packing of copper balls\n" + rows_).radius[1], 0.55);
 }
 
+TEST_F(StatedUnits, SignsAndOtherNamesDoNotHideAHeader) {
+  for (const char* header : {"## x y z diameter\n", "#! x y z diameter\n", "# columns: x y z diameter\n",
+                             "#1:x 2:y 3:z 4:diameter\n", "# x | y | z | diameter\n", "# x,y,z,diameter,\n",
+                             "# x, y, z, diameter\n"})
+    EXPECT_EQ(packing(header + rows_).radius[1], 0.275) << header;
+  for (const char* header : {"# cx cy cz diameter\n", "# rx ry rz d\n", "# x[0] x[1] x[2] d\n"})
+    expect_no_packing(header + rows_, "is missing from the header");
+  const Packing more =
+      packing("# id x y z r vx vy vz wx wy wz\n1 0 0 0 .55 1 2 3 4 5 6\n2 0 0 1 .55 1 2 3 4 5 6\n");
+  EXPECT_EQ(more.attributes.size(), 6u);
+  EXPECT_EQ(packing("# id x y z r vx vy vz\n0 0 0 0 .5 1 1 1\n1 0 0 1 .5 1 1 1\n").size(), 2u)
+      << "no MercuryDPM";
+}
+
 TEST_F(StatedUnits, HalfAHeaderIsRefused) {
   for (const char* header :
        {"# r x y z, all in m\n", "# x y z r in mm\n", "# x, y, z and the diameter in mm\n"})
@@ -100,6 +114,42 @@ TEST_F(StatedUnits, VectorsOfNodesObeyTheirHeader) {
   expect_refused("t_end = 1\n[network]\nedges = \"e.csv\"\ncapacity = \"c.csv\"\n", "is in kJ/K");
 }
 
+TEST_F(StatedUnits, ProseIsNoHeader) {
+  const auto value = [&](const std::string& content, const std::string& keys = "") {
+    folder_.write("p.csv", content);
+    const Scene scene = load_scene(folder_.write(
+        "c.toml", chain(edges_, "fixed = [{ ids = [1], value = { file = \"p.csv\"" + keys + " } }]")));
+    return scene.fields[0].graph.tables[0].value.back();
+  };
+  for (const char* prose : {"# Time series\n", "# measured value\n", "# time value\n# Fixed value\n"})
+    EXPECT_EQ(value(std::string(prose) + "0 0\n1 5\n"), 5) << prose;
+  EXPECT_EQ(value("# time a b c value\n0 7 7 7 0\n1 7 7 7 5\n"), 5);
+  EXPECT_EQ(value("# t T1 T2 T3 T4\n0 0 0 0 0\n1 1 2 5 4\n", ", time = \"t\", value = \"T3\""), 5);
+  EXPECT_EQ(value("t,T\n0,300\n1,305\n", ", time = \"t\", value = \"T\""), 305);
+  folder_.write("f.csv", "# node id\n1 3\n2 1\n");
+  const auto scene = load_scene(folder_.write("c.toml", chain(edges_, "fixed = \"f.csv\"")));
+  EXPECT_EQ(scene.fields[0].graph.fixed_value[0], 3);
+  folder_.write("i.csv", "# id temperature\n# final state\n1 4\n2 5\n3 6\n");
+  const auto initial = load_scene(
+      folder_.write("c.toml", chain(edges_, "initial = { file = \"i.csv\", column = \"temperature\" }")));
+  EXPECT_EQ(initial.fields[0].graph.initial[2], 6);
+}
+
+TEST_F(StatedUnits, NamesThatDifferInCaseAreTakenAsWritten) {
+  folder_.write("i.csv", "id,t,T\n1,0,300\n2,0,400\n3,0,500\n");
+  const std::string from = "initial = { file = \"i.csv\", column = ";
+  const auto start = [&](const char* column) {
+    return load_scene(folder_.write("c.toml", chain(edges_, from + column + " }")))
+        .fields[0]
+        .graph.initial[1];
+  };
+  EXPECT_EQ(start("\"T\""), 400);
+  folder_.write("i.csv", "id,t,T [K]\n1,0,300\n2,0,400\n3,0,500\n");
+  EXPECT_EQ(start("\"T\""), 400);
+  folder_.write("i.csv", "id,TEMP,Temp\n1,0,300\n2,0,400\n3,0,500\n");
+  expect_refused(chain(edges_, from + "\"temp\" }"), "may be column 'TEMP' or 'Temp'");
+}
+
 TEST_F(StatedUnits, OfProfilesAreReadFromTheirNames) {
   const auto profile = [&](const std::string& content, const std::string& keys = "") {
     folder_.write("p.csv", content);
@@ -110,6 +160,8 @@ TEST_F(StatedUnits, OfProfilesAreReadFromTheirNames) {
     expect_refused(profile(content, std::string(", time = \"") + time + "\""), "times must be in s");
   }
   expect_refused(profile("# time [ms] value [K]\n0 0\n1 1\n"), "times must be in s");
+  expect_refused(profile("## time [ms] value\n0 0\n1 1\n"), "times must be in s");
+  expect_refused(profile("# t [ms] T [K]\n0 0\n1 1\n"), "there is no column 'time'");
   expect_refused(profile("time,value [mK]\n0,0\n1,1\n"), "is in mK; values must be in");
   const auto scene = load_scene(folder_.write("c.toml", profile("# my profile\n0 0\n1 1\n")));
   EXPECT_EQ(scene.fields[0].graph.tables.size(), 1u);

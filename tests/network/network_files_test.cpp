@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "network/files/matrix_market.hpp"
 #include "network/files/read_network.hpp"
+#include "network/files/recognise_network.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace superstep {
@@ -99,6 +100,15 @@ TEST_F(NetworkFiles, EdgeListsOfAnyTableAndParallelEdges) {
   const auto joined = read_edge_list(folder_.write("e.txt", "1 2 0.5\n3 2 3\n2 1 1.5\n"));
   expect_chain(joined.graph);
   EXPECT_EQ(joined.notes.size(), 1u) << "summing is said";
+}
+
+TEST_F(NetworkFiles, ProseAboveEdgesIsNoHeader) {
+  for (const char* head :
+       {"# my edge list\n", "# i j conductance\n# my edge list\n", "# i,j,conductance\n"}) {
+    const auto file = recognise_network(folder_.write("e.txt", std::string(head) + "1 2 2\n2 3 3\n"));
+    ASSERT_TRUE(file) << head;
+    expect_chain(file->input.graph);
+  }
 }
 
 TEST_F(NetworkFiles, PoreNetworksJoinPoresByThroats) {

@@ -12,10 +12,7 @@ namespace superstep {
 std::size_t column_named(const DelimitedTable& table, const std::string& name, const std::string& where,
                          std::optional<std::size_t> fallback) {
   const auto& names = table.names();
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (lower_case(names[k]) == lower_case(name)) return k;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (lower_case(split_bracketed_unit(names[k]).name) == lower_case(name)) return k;
+  if (const auto place = place_of_name(names, name, table.where_header())) return *place;
   if (names.empty() && fallback && *fallback < table.width()) return *fallback;
   throw InputError(fmt::format("{}: there is no column '{}' in the table ({}); its columns are: {}", where,
                                name, table.where_header(),

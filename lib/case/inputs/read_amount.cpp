@@ -88,15 +88,22 @@ bool is_second(std::string_view unit) {
 TimeTable read_profile(TomlTable& table, const TomlValue& file) {
   const std::string path = named_path(file),
                     text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
-  DelimitedTable rows(path, text, [&](std::string_view word) {
-    for (const char* key : {"time", "value"}) {
-      const auto stated = table.find(key);
-      const std::string name = stated ? stated->string() : key;
-      if (lower_case(split_bracketed_unit(word).name) == lower_case(split_bracketed_unit(name).name))
-        return true;
-    }
-    return false;
-  });
+  const auto name_of = [&](const char* key) {
+    const auto stated = table.find(key);
+    return lower_case(split_bracketed_unit(stated ? stated->string() : key).name);
+  };
+  const std::string time_name = name_of("time"), value_name = name_of("value");
+  const auto is = [](std::string_view word, const std::string& name) {
+    return lower_case(split_bracketed_unit(word).name) == name;
+  };
+  const auto holds = [&](const std::vector<std::string>& names, const std::string& name) {
+    return std::any_of(names.begin(), names.end(), [&](const auto& word) { return is(word, name); });
+  };
+  DelimitedTable rows(path, text,
+                      {[&](std::string_view word) { return is(word, time_name) || is(word, value_name); },
+                       [&](const std::vector<std::string>& names) {
+                         return holds(names, time_name) && holds(names, value_name);
+                       }});
   const auto column = [&](const char* key, std::size_t fallback) {
     const auto stated = table.find(key);
     return column_named(rows, stated ? stated->string() : key, stated ? stated->where() : path,

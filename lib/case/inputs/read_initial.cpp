@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -12,6 +13,7 @@
 #include "case/inputs/named_column.hpp"
 #include "case/inputs/named_file.hpp"
 #include "core/error.hpp"
+#include "core/text/bracketed_unit.hpp"
 #include "core/text/ids_in_words.hpp"
 #include "core/text/number.hpp"
 
@@ -39,7 +41,14 @@ std::vector<double> of_file(const TomlValue& file, const TomlValue& column, std:
                             std::string_view unit) {
   const std::string path = named_path(file),
                     text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
-  DelimitedTable rows(path, text);
+  const std::string wanted = lower_case(split_bracketed_unit(column.string()).name);
+  const auto is_column = [&](std::string_view word) {
+    const std::string name = lower_case(split_bracketed_unit(word).name);
+    return name == "id" || name == wanted;
+  };
+  DelimitedTable rows(path, text, {is_column, [&](const std::vector<std::string>& names) {
+                                     return std::count_if(names.begin(), names.end(), is_column) >= 2;
+                                   }});
   const std::size_t id_column = column_named(rows, "id", path),
                     value_column = column_named(rows, column.string(), column.where());
   if (!rows.names().empty()) require_column_unit(rows.names()[value_column], unit, column.where());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -78,10 +79,16 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
 NodeVector read_node_vector(const std::string& path, std::span<const std::int64_t> id) {
   const std::string text = read_text_file(path);
   if (is_matrix_market(text)) return of_matrix(path, id.size());
-  DelimitedTable table(path, text, [](std::string_view word) {
+  const auto is_column = [](std::string_view word) {
     const std::string name = lower_case(split_bracketed_unit(word).name);
-    return name == "id" || name == "value" || name == "capacity" || name == "initial" || name == "fixed";
-  });
+    for (const char* known :
+         {"id", "value", "capacity", "source", "initial", "fixed", "temperature", "potential"})
+      if (name == known) return true;
+    return false;
+  };
+  DelimitedTable table(path, text, {is_column, [&](const std::vector<std::string>& names) {
+                                      return std::all_of(names.begin(), names.end(), is_column);
+                                    }});
   if (table.width() == 1) return of_column(table, path, id.size());
   if (table.width() == 2) return of_pairs(table, id);
   throw InputError(fmt::format(

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/error.hpp"
+#include "core/text/delimited.hpp"
 #include "core/text/text_file.hpp"
 
 namespace superstep {
@@ -16,6 +18,26 @@ NameAndUnit split_bracketed_unit(std::string_view written) noexcept {
   const bool closed = !written.empty() && (written.back() == ']' || written.back() == ')');
   if (!closed || open == std::string_view::npos) return {written, {}};
   return {trimmed(written.substr(0, open)), trimmed(written.substr(open + 1, written.size() - open - 2))};
+}
+
+std::optional<std::size_t> place_of_name(std::span<const std::string> names, std::string_view wanted,
+                                         const std::string& where) {
+  const auto bare = [](std::string_view name) { return std::string(split_bracketed_unit(name).name); };
+  const auto find = [&](auto same) {
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (same(names[k])) found.push_back(k);
+    if (found.size() > 1)
+      throw InputError(fmt::format("{}: {} may be column {} or {}; rename one of them", where,
+                                   in_quotes(wanted), in_quotes(names[found[0]]),
+                                   in_quotes(names[found[1]])));
+    return found.empty() ? std::nullopt : std::optional(found.front());
+  };
+  if (auto place = find([&](const std::string& name) { return name == wanted; })) return place;
+  if (auto place = find([&](const std::string& name) { return bare(name) == wanted; })) return place;
+  if (auto place = find([&](const std::string& name) { return lower_case(name) == lower_case(wanted); }))
+    return place;
+  return find([&](const std::string& name) { return lower_case(bare(name)) == lower_case(bare(wanted)); });
 }
 
 bool is_plain_unit(std::string_view unit) noexcept {

@@ -18,10 +18,15 @@ CsvReader::CsvReader(std::string path, std::vector<std::string> required, std::v
     : path_(std::move(path)), content_(read_text_file(path_)), columns_(required) {
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   position_.assign(columns_.size(), -1);
-  table_.emplace(path_, content_, [&](std::string_view word) {
+  const auto is_column = [&](std::string_view word) {
     const std::string name = lower_case(split_bracketed_unit(word).name);
     return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
-  });
+  };
+  const auto is_header = [&](const std::vector<std::string>& names) {  // one may be misspelled
+    const auto known = static_cast<std::size_t>(std::count_if(names.begin(), names.end(), is_column));
+    return 2 * known >= names.size();
+  };
+  table_.emplace(path_, content_, HeaderRule{is_column, is_header});
   place_columns(required.size(), with_units);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text/bracketed_unit.hpp"
 #include "core/text/number.hpp"
 
 namespace superstep {
@@ -88,6 +89,29 @@ std::vector<std::string> names_in(std::string_view line, char delimiter) {
   return names;
 }
 
+/// A comment without what people put around names: "## x, y,", "#! x y", "# columns: x | y".
+std::string without_marks(std::string_view comment) {
+  constexpr std::string_view marks = "#%!;/*", blanks = " \t";
+  while (!comment.empty() && (marks.find(comment.front()) != std::string_view::npos ||
+                              blanks.find(comment.front()) != std::string_view::npos))
+    comment.remove_prefix(1);
+  const std::string_view first = comment.substr(0, comment.find_first_of(blanks));
+  if (first.size() > 1 && first.back() == ':') comment = trimmed(comment.substr(first.size()));
+  std::string out(comment);
+  std::replace(out.begin(), out.end(), '|', ' ');
+  while (!out.empty() && (out.back() == ',' || out.back() == ';' || out.back() == ' ')) out.pop_back();
+  return out;
+}
+
+/// A name without the number of its column before it ("3:z") and signs behind it ("x,").
+std::string without_number(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  if (colon != std::string_view::npos && colon > 0 && parse_whole_number(name.substr(0, colon)))
+    name.remove_prefix(colon + 1);
+  while (!name.empty() && (name.back() == ',' || name.back() == ';')) name.remove_suffix(1);
+  return std::string(name);
+}
+
 bool all_blank(const std::vector<std::string_view>& cells) {
   return std::all_of(cells.begin(), cells.end(), [](auto cell) { return cell.empty(); });
 }
@@ -128,13 +152,11 @@ bool is_comment_or_blank(std::string_view line) noexcept {
   return line.empty() || line.front() == '#' || line.front() == '%';
 }
 
-DelimitedTable::DelimitedTable(std::string path, std::string_view text,
-                               const std::function<bool(std::string_view)>& is_column)
+DelimitedTable::DelimitedTable(std::string path, std::string_view text, const HeaderRule& rule)
     : path_(std::move(path)), lines_(text) {
   std::vector<Comment> comments;
   while (lines_.next() && is_comment_or_blank(lines_.line()))
-    if (!trimmed(lines_.line()).empty())
-      comments.push_back({trimmed(trimmed(lines_.line()).substr(1)), lines_.number()});
+    if (!trimmed(lines_.line()).empty()) comments.push_back({trimmed(lines_.line()), lines_.number()});
   const std::string_view separator = trimmed(lines_.line());
   const bool stated =
       separator.size() == 5 && lower_case(separator.substr(0, 4)) == "sep=";  // spreadsheets' own line
@@ -153,44 +175,44 @@ DelimitedTable::DelimitedTable(std::string path, std::string_view text,
     return;
   }
   row_waits_ = !is_comment_or_blank(first_text_);
-  take_header_from(comments, is_column);
+  take_header_from(comments, rule);
 }
 
-void DelimitedTable::take_header_from(const std::vector<Comment>& comments,
-                                      const std::function<bool(std::string_view)>& is_column) {
-  const auto are_columns = [&](const std::vector<std::string>& names) {
-    if (names.size() != width_ || !std::all_of(names.begin(), names.end(), is_name)) return false;
-    if (!is_column) return true;
-    const auto known = static_cast<std::size_t>(std::count_if(names.begin(), names.end(), is_column));
-    return 2 * known >= width_;
-  };
-  for (auto comment = comments.rbegin(); comment != comments.rend(); ++comment)
-    for (const char delimiter : {delimiter_, delimiter_of(comment->text)}) {
-      auto names = names_in(comment->text, delimiter);
-      if (!are_columns(names)) continue;
+void DelimitedTable::take_header_from(const std::vector<Comment>& comments, const HeaderRule& rule) {
+  for (auto comment = comments.rbegin(); comment != comments.rend(); ++comment) {
+    const std::string text = without_marks(comment->text);
+    for (const char delimiter : {delimiter_, delimiter_of(text), ' '}) {
+      auto names = names_in(text, delimiter);
+      for (auto& name : names) name = without_number(name);
+      if (!is_header(names, rule)) continue;
       names_ = std::move(names);
-      first_text_ = comment->text;
+      first_text_ = trimmed(comment->text.substr(1));
       first_line_ = comment->line;
       return;
     }
-  if (!is_column) return;
-  for (const auto& comment : comments) reject_half_a_header(comment, is_column);
+  }
+  if (!rule.is_column) return;
+  for (const auto& comment : comments) reject_half_a_header(comment, rule);
 }
 
-void DelimitedTable::reject_half_a_header(const Comment& comment,
-                                          const std::function<bool(std::string_view)>& is_column) const {
+bool DelimitedTable::is_header(const std::vector<std::string>& names, const HeaderRule& rule) const {
+  if (names.size() != width_ || !std::all_of(names.begin(), names.end(), is_name)) return false;
+  const auto states_unit = [](const std::string& name) {
+    const std::string_view unit = split_bracketed_unit(name).unit;
+    return !unit.empty() && !parse_number(unit);
+  };
+  return !rule.is_header || rule.is_header(names) || std::any_of(names.begin(), names.end(), states_unit);
+}
+
+void DelimitedTable::reject_half_a_header(const Comment& comment, const HeaderRule& rule) const {
   std::size_t known = 0;
-  for (std::string_view word : names_in(comment.text, ' ')) {
-    while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
-    if (!is_column(word)) break;
-    ++known;
-  }
+  const auto names = names_in(without_marks(comment.text), ' ');
+  while (known < names.size() && rule.is_column(without_number(names[known]))) ++known;
   if (known < 2 || known + 1 < width_) return;
   throw InputError(fmt::format(
       "{}:{}: the comment {} begins like a header of {} columns and goes on otherwise; let it hold one name "
-      "for "
-      "each column and nothing else, units in brackets behind the names (x [mm]), or begin it with another "
-      "word",
+      "for each "
+      "column and nothing else, units in brackets behind the names (x [mm]), or begin it with another word",
       path_, comment.line, in_quotes(comment.text), width_));
 }
 

@@ -26,17 +26,21 @@ bool split_cells(std::string_view line, char delimiter, std::vector<std::string_
 /// Lower case of ASCII letters.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
+/// How a reader tells headers that stand in comments. Without it any line of words is one that has as many as
+/// there are columns.
+struct HeaderRule {
+  std::function<bool(std::string_view)> is_column;                       ///< the name of one that it knows
+  std::function<bool(const std::vector<std::string>& names)> is_header;  ///< of as many as there are columns
+};
+
 class DelimitedTable {
  public:
   /// Finds delimiter and header of `text`, which must outlive the table. The header is the first line that is
-  /// no comment, where it holds a word and no number; else the last comment before it that has as many cells
-  /// and no number (as numpy.savetxt writes it); else there is none.
-  ///   is_column  whether a word names a column of such tables; without it any word may. A comment is a
-  ///   header
-  ///              when half of its cells do. One that begins with names and goes on otherwise may hold units,
-  ///              and throws InputError.
-  DelimitedTable(std::string path, std::string_view text,
-                 const std::function<bool(std::string_view)>& is_column = {});
+  /// no comment, where it holds a word and no number; else the last comment before it that has as many names
+  /// and is one by the rule, or says units in brackets; else there is none. Signs around the names do not
+  /// matter ("## x, y", "# columns: x | y"). A comment that begins with names and goes on otherwise may hold
+  /// units, and throws InputError.
+  DelimitedTable(std::string path, std::string_view text, const HeaderRule& rule = {});
 
   /// Names of the columns as they are written; empty without a header.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
@@ -62,10 +66,9 @@ class DelimitedTable {
     std::string_view text;
     std::size_t line;
   };
-  void take_header_from(const std::vector<Comment>& comments,
-                        const std::function<bool(std::string_view)>& is_column);
-  void reject_half_a_header(const Comment& comment,
-                            const std::function<bool(std::string_view)>& is_column) const;
+  void take_header_from(const std::vector<Comment>& comments, const HeaderRule& rule);
+  [[nodiscard]] bool is_header(const std::vector<std::string>& names, const HeaderRule& rule) const;
+  void reject_half_a_header(const Comment& comment, const HeaderRule& rule) const;
   void split(std::string_view line);
 
   std::string path_;

@@ -14,9 +14,18 @@
 namespace superstep {
 namespace {
 
+/// Headers of edges in comments; other lines of as many words are prose.
+HeaderRule edge_rule() {
+  return {{}, [](const std::vector<std::string>& names) {
+            return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+              return lower_case(name) == "i" || lower_case(name).ends_with("throat.conns[0]");
+            });
+          }};
+}
+
 /// Rows of two whole numbers and one more. A packing has a position and a size in each, four at least.
 bool holds_bare_edges(const std::string& path, const std::string& text) {
-  DelimitedTable table(path, text);
+  DelimitedTable table(path, text, edge_rule());
   while (table.next()) {
     const auto cells = table.cells();
     if (cells.size() != 3 || !parse_whole_number(cells[0]) || !parse_whole_number(cells[1]) ||
@@ -36,7 +45,7 @@ std::optional<NetworkFile> recognise_network(const std::string& path) {
     return std::nullopt;
   std::vector<std::string> names;
   try {
-    const DelimitedTable table(path, text);
+    const DelimitedTable table(path, text, edge_rule());
     for (const auto& name : table.names()) names.push_back(lower_case(name));
   } catch (const InputError&) {
     return std::nullopt;

@@ -44,16 +44,17 @@ const Kind* kind_of(const TextRow& header) {
   return nullptr;
 }
 
-/// A header of numbers that begins with a count. In two dimensions a table could look like it, so that the
-/// row below must fit; frames without particles have none.
+/// A header of numbers that begins with a count. A table could look like it, so that the row below must fit;
+/// frames without particles have none.
 bool recognises(const PackingFile& file) {
   BeginningLines lines(file);
   if (!lines.next_statement() || !all_numbers(lines.row())) return false;
   const Kind* kind = kind_of(lines.row());
   if (kind == nullptr || !parse_integer(lines.row()[0])) return false;
-  if (!kind->flat) return true;
-  while (parse_integer(lines.row()[0]) == 0)
-    if (!lines.next() || lines.row().size() != kind->header_size || !all_numbers(lines.row())) return false;
+  while (parse_integer(lines.row()[0]) == 0) {
+    if (!lines.next()) return !kind->flat;
+    if (lines.row().size() != kind->header_size || !all_numbers(lines.row())) return false;
+  }
   return parse_integer(lines.row()[0]) && lines.next() && lines.row().size() == kind->columns.size();
 }
 

@@ -42,7 +42,7 @@ bool recognises(const PackingFile& file) {
 
 /// True when every row has a whole number in this column.
 bool column_is_whole(const PackingFile& file, std::size_t column) {
-  DelimitedTable rows(file.path, file.content, is_sphere_column);
+  DelimitedTable rows(file.path, file.content, sphere_header_rule());
   while (rows.next())
     if (!parse_whole_number(rows.cells()[column])) return false;
   return true;
@@ -94,7 +94,7 @@ class OneTimeStep {
 };
 
 Packing read(const PackingFile& file) {
-  DelimitedTable table(file.path, file.content, is_sphere_column);
+  DelimitedTable table(file.path, file.content, sphere_header_rule());
   SphereLayout layout{.names = table.names(),
                       .place = fmt::format("{}:{}", file.path, table.first_line()),
                       .header = fmt::format("the header '{}'", table.first_text().substr(0, 120)),

@@ -76,8 +76,15 @@ SphereColumns find_sphere_columns(std::span<const std::string> names, const Colu
   return columns;
 }
 
-bool is_sphere_column(std::string_view name) {
-  return !usual_meaning(name).empty();
+const HeaderRule& sphere_header_rule() {
+  static const HeaderRule rule{[](std::string_view name) { return !usual_meaning(name).empty(); },
+                               [](const std::vector<std::string>& names) {
+                                 return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+                                   const std::string meaning = usual_meaning(name);
+                                   return meaning == "radius" || meaning == "diameter";
+                                 });
+                               }};
+  return rule;
 }
 
 bool names_a_position(std::span<const std::string> names) {

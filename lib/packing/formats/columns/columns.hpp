@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/delimited.hpp"
+
 namespace superstep {
 
 struct SphereColumns {
@@ -55,8 +57,8 @@ struct ColumnRules {
 [[nodiscard]] SphereColumns find_sphere_columns(std::span<const std::string> names, const ColumnRules& rules,
                                                 const std::string& place, const std::string& header);
 
-/// True for a name of a position, a size, an id or a material.
-[[nodiscard]] bool is_sphere_column(std::string_view name);
+/// Headers of particles in comments: they name a size, whatever they call the rest.
+[[nodiscard]] const HeaderRule& sphere_header_rule();
 
 /// True when the names hold a position in three dimensions.
 [[nodiscard]] bool names_a_position(std::span<const std::string> names);
