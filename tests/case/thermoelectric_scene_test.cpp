@@ -86,6 +86,16 @@ TEST_F(ThermoelectricCase, SteadyPotentialIsSolvedOnceAndHeatsAtAConstantRate) {
   EXPECT_NEAR(facts->joule_heat, facts->voltage * facts->current_in, 1e-10 * facts->joule_heat);
 }
 
+/// The row's electrodes differ later; the pair apart is held at another potential.
+TEST_F(ThermoelectricCase, SteadyElectrodesThatAreEqualAtTheStartShareACluster) {
+  const Scene scene = load(
+      with("mode = \"steady\"\nconductivity = 1e5\nfixed = [ { where = { ids = [5] }, value = { times = [0, "
+           "1], values = "
+           "[0, 1] } }, { where = { ids = [0] }, value = 0.0 }, { where = { ids = [6] }, value = 1.0 } ]\n",
+           heat));
+  EXPECT_TRUE(scene.fields[0].steady);
+}
+
 TEST_F(ThermoelectricCase, SteadyPotentialThatMovesFollowsTheState) {
   const std::string rising =
       "mode = \"steady\"\nfixed = [ { where = { ids = [5] }, value = { times = [0.0, 1.0], values = [0.0, "

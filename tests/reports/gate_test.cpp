@@ -265,6 +265,14 @@ TEST(Compare, SeesATenthAndCountsWork) {
   EXPECT_TRUE(rows[0].in_yardsticks);
 }
 
+TEST(Compare, RefusesTwoCasesOfOneName) {
+  auto a = measured({}, 1), b = measured({}, 2);
+  a.cases[0].rows[0].numbers["nodes"] = 7;
+  b.cases[0].rows[0].numbers["nodes"] = 20;
+  EXPECT_THROW((void)compare(a, b), InputError);
+  EXPECT_THROW((void)gate(b, a), InputError);
+}
+
 TEST(Bootstrap, IntervalHoldsTheTruthAndShrinks) {
   int held = 0;
   double few = 0, many = 0;
