@@ -13,8 +13,8 @@
 
 namespace superstep {
 
-CsvReader::CsvReader(std::string path, std::vector<std::string> required, std::vector<std::string> optional,
-                     const std::vector<std::string>& with_units)
+CsvReader::CsvReader(std::string path, const std::vector<std::string>& required,
+                     const std::vector<std::string>& optional, const std::vector<std::string>& with_units)
     : path_(std::move(path)), content_(read_text_file(path_)), columns_(required) {
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   position_.assign(columns_.size(), -1);

@@ -19,8 +19,8 @@ class CsvReader {
   /// the nearest valid column. Rows without a header hold the required columns, in their order. A unit in
   /// brackets behind a name must be one that numbers are taken in anyway, except for columns `with_units`.
   /// Throws InputError.
-  CsvReader(std::string path, std::vector<std::string> required, std::vector<std::string> optional = {},
-            const std::vector<std::string>& with_units = {});
+  CsvReader(std::string path, const std::vector<std::string>& required,
+            const std::vector<std::string>& optional = {}, const std::vector<std::string>& with_units = {});
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
