@@ -125,6 +125,7 @@ TEST_F(StatedUnits, ProseIsNoHeader) {
     EXPECT_EQ(value(std::string(prose) + "0 0\n1 5\n"), 5) << prose;
   EXPECT_EQ(value("# time a b c value\n0 7 7 7 0\n1 7 7 7 5\n"), 5);
   EXPECT_EQ(value("# t T1 T2 T3 T4\n0 0 0 0 0\n1 1 2 5 4\n", ", time = \"t\", value = \"T3\""), 5);
+  EXPECT_EQ(value("time,T_min\n0,300\n1,305\n", ", value = \"T_min\""), 305) << "no minutes";
   EXPECT_EQ(value("t,T\n0,300\n1,305\n", ", time = \"t\", value = \"T\""), 305);
   folder_.write("f.csv", "# node id\n1 3\n2 1\n");
   const auto scene = load_scene(folder_.write("c.toml", chain(edges_, "fixed = \"f.csv\"")));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -59,23 +60,26 @@ TimeTable read_lists(TomlTable& table) {
   return out;
 }
 
-/// Unit that a name states: in brackets, or as its last word where that can be nothing else ("time_ms").
-std::string_view stated_unit(std::string_view name) {
+/// Unit that a name states: in brackets, or as its last word where that is one of `words` ("time_ms").
+std::string_view stated_unit(std::string_view name, std::span<const std::string_view> words) {
   if (const auto unit = split_bracketed_unit(name).unit; !unit.empty()) return unit;
-  constexpr std::array<std::string_view, 22> words = {
-      "ms",   "us", "µs", "μs", "ns", "min", "minutes", "h",  "hr", "hours", "d",
-      "days", "mK", "mV", "kV", "uV", "mW",  "kW",      "MW", "uW", "mA",    "kA"};
   const std::size_t cut = name.find_last_of("_/, ");
   if (cut == std::string_view::npos) return {};
   const std::string_view last = name.substr(cut + 1);
   return std::find(words.begin(), words.end(), last) == words.end() ? std::string_view{} : last;
 }
 
+/// Words that can be nothing else behind a time, or behind a value ("T_min" is none of them).
+constexpr std::array<std::string_view, 13> of_times = {"ms", "us", "µs",    "μs", "ns",  "min", "minutes",
+                                                       "h",  "hr", "hours", "d",  "day", "days"};
+constexpr std::array<std::string_view, 10> of_values = {"mK", "mV", "kV", "uV", "mW",
+                                                        "kW", "MW", "uW", "mA", "kA"};
+
 /// Tables of time are in SI units: a column that says otherwise is not read as if it did not.
-void require_unit(const DelimitedTable& rows, std::size_t column, bool plain(std::string_view),
-                  const char* way_out) {
+void require_unit(const DelimitedTable& rows, std::size_t column, std::span<const std::string_view> words,
+                  bool plain(std::string_view), const char* way_out) {
   if (rows.names().empty()) return;
-  const std::string_view unit = stated_unit(rows.names()[column]);
+  const std::string_view unit = stated_unit(rows.names()[column], words);
   if (unit.empty() || plain(unit)) return;
   throw InputError(
       fmt::format("{}: column '{}' is in {}; {}", rows.where_header(), rows.names()[column], unit, way_out));
@@ -90,30 +94,19 @@ TimeTable read_profile(TomlTable& table, const TomlValue& file) {
                     text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
   const auto name_of = [&](const char* key) {
     const auto stated = table.find(key);
-    return lower_case(split_bracketed_unit(stated ? stated->string() : key).name);
+    return bare_name(stated ? stated->string() : key);
   };
-  const std::string time_name = name_of("time"), value_name = name_of("value");
-  const auto is = [](std::string_view word, const std::string& name) {
-    return lower_case(split_bracketed_unit(word).name) == name;
-  };
-  const auto holds = [&](const std::vector<std::string>& names, const std::string& name) {
-    return std::any_of(names.begin(), names.end(), [&](const auto& word) { return is(word, name); });
-  };
-  DelimitedTable rows(path, text,
-                      {[&](std::string_view word) { return is(word, time_name) || is(word, value_name); },
-                       [&](const std::vector<std::string>& names) {
-                         return holds(names, time_name) && holds(names, value_name);
-                       }});
+  DelimitedTable rows(path, text, header_of({name_of("time"), name_of("value")}, 2));
   const auto column = [&](const char* key, std::size_t fallback) {
     const auto stated = table.find(key);
     return column_named(rows, stated ? stated->string() : key, stated ? stated->where() : path,
                         stated ? std::nullopt : std::optional(fallback));
   };
   const std::size_t time = column("time", 0), value = column("value", 1);
-  require_unit(rows, time, is_second, "times must be in s");
+  require_unit(rows, time, of_times, is_second, "times must be in s");
   if (!table.find("scale"))
     require_unit(
-        rows, value, [](std::string_view unit) { return !is_second(unit) && is_plain_unit(unit); },
+        rows, value, of_values, [](std::string_view unit) { return !is_second(unit) && is_plain_unit(unit); },
         "values must be in K, V, W or A; or give scale, by which they are multiplied");
   TimeTable out;
   std::vector<std::size_t> line;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -41,14 +40,7 @@ std::vector<double> of_file(const TomlValue& file, const TomlValue& column, std:
                             std::string_view unit) {
   const std::string path = named_path(file),
                     text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
-  const std::string wanted = lower_case(split_bracketed_unit(column.string()).name);
-  const auto is_column = [&](std::string_view word) {
-    const std::string name = lower_case(split_bracketed_unit(word).name);
-    return name == "id" || name == wanted;
-  };
-  DelimitedTable rows(path, text, {is_column, [&](const std::vector<std::string>& names) {
-                                     return std::count_if(names.begin(), names.end(), is_column) >= 2;
-                                   }});
+  DelimitedTable rows(path, text, header_of({"id", bare_name(column.string())}, 2));
   const std::size_t id_column = column_named(rows, "id", path),
                     value_column = column_named(rows, column.string(), column.where());
   if (!rows.names().empty()) require_column_unit(rows.names()[value_column], unit, column.where());

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -79,16 +78,9 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
 NodeVector read_node_vector(const std::string& path, std::span<const std::int64_t> id) {
   const std::string text = read_text_file(path);
   if (is_matrix_market(text)) return of_matrix(path, id.size());
-  const auto is_column = [](std::string_view word) {
-    const std::string name = lower_case(split_bracketed_unit(word).name);
-    for (const char* known :
-         {"id", "value", "capacity", "source", "initial", "fixed", "temperature", "potential"})
-      if (name == known) return true;
-    return false;
-  };
-  DelimitedTable table(path, text, {is_column, [&](const std::vector<std::string>& names) {
-                                      return std::all_of(names.begin(), names.end(), is_column);
-                                    }});
+  DelimitedTable table(
+      path, text,
+      header_of({"id", "value", "capacity", "source", "initial", "fixed", "temperature", "potential"}, 2));
   if (table.width() == 1) return of_column(table, path, id.size());
   if (table.width() == 2) return of_pairs(table, id);
   throw InputError(fmt::format(

@@ -20,9 +20,12 @@ NameAndUnit split_bracketed_unit(std::string_view written) noexcept {
   return {trimmed(written.substr(0, open)), trimmed(written.substr(open + 1, written.size() - open - 2))};
 }
 
+std::string bare_name(std::string_view written) {
+  return lower_case(split_bracketed_unit(written).name);
+}
+
 std::optional<std::size_t> place_of_name(std::span<const std::string> names, std::string_view wanted,
                                          const std::string& where) {
-  const auto bare = [](std::string_view name) { return std::string(split_bracketed_unit(name).name); };
   const auto find = [&](auto same) {
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < names.size(); ++k)
@@ -34,10 +37,11 @@ std::optional<std::size_t> place_of_name(std::span<const std::string> names, std
     return found.empty() ? std::nullopt : std::optional(found.front());
   };
   if (auto place = find([&](const std::string& name) { return name == wanted; })) return place;
-  if (auto place = find([&](const std::string& name) { return bare(name) == wanted; })) return place;
+  if (auto place = find([&](const std::string& name) { return split_bracketed_unit(name).name == wanted; }))
+    return place;
   if (auto place = find([&](const std::string& name) { return lower_case(name) == lower_case(wanted); }))
     return place;
-  return find([&](const std::string& name) { return lower_case(bare(name)) == lower_case(bare(wanted)); });
+  return find([&](const std::string& name) { return bare_name(name) == bare_name(wanted); });
 }
 
 bool is_plain_unit(std::string_view unit) noexcept {

@@ -13,6 +13,9 @@ struct NameAndUnit {
 };
 [[nodiscard]] NameAndUnit split_bracketed_unit(std::string_view written) noexcept;
 
+/// The name without its unit, in lower case.
+[[nodiscard]] std::string bare_name(std::string_view written);
+
 /// Place of the name that is meant: the same letters before those that differ in case, with a unit behind it
 /// or not. Nothing where there is none; throws InputError, beginning with `where`, where several are as good.
 [[nodiscard]] std::optional<std::size_t> place_of_name(std::span<const std::string> names,

@@ -18,22 +18,15 @@ CsvReader::CsvReader(std::string path, const std::vector<std::string>& required,
     : path_(std::move(path)), content_(read_text_file(path_)), columns_(required) {
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   position_.assign(columns_.size(), -1);
-  const auto is_column = [&](std::string_view word) {
-    const std::string name = lower_case(split_bracketed_unit(word).name);
-    return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
-  };
-  const auto is_header = [&](const std::vector<std::string>& names) {  // one may be misspelled
-    const auto known = static_cast<std::size_t>(std::count_if(names.begin(), names.end(), is_column));
-    return 2 * known >= names.size();
-  };
-  table_.emplace(path_, content_, HeaderRule{is_column, is_header});
+  const std::size_t half = (required.size() + 1) / 2;  // one may be misspelled
+  table_.emplace(path_, content_, header_of(columns_, half));
   place_columns(required.size(), with_units);
 }
 
 void CsvReader::place_columns(std::size_t required, const std::vector<std::string>& with_units) {
   const auto& header = table_->names();
   for (std::size_t k = 0; k < header.size(); ++k) {
-    const std::string name = lower_case(split_bracketed_unit(header[k]).name);
+    const std::string name = bare_name(header[k]);
     const auto column = std::find(columns_.begin(), columns_.end(), name);
     if (column == columns_.end())
       throw InputError(fmt::format("{}: unknown column {} in the header{}", where_header(),

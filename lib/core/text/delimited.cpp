@@ -152,6 +152,17 @@ bool is_comment_or_blank(std::string_view line) noexcept {
   return line.empty() || line.front() == '#' || line.front() == '%';
 }
 
+HeaderRule header_of(std::vector<std::string> columns, std::size_t least) {
+  const auto is_column = [columns = std::move(columns)](std::string_view word) {
+    return std::find(columns.begin(), columns.end(), bare_name(word)) != columns.end();
+  };
+  const auto is_header = [is_column, least](const std::vector<std::string>& names) {
+    const auto known = static_cast<std::size_t>(std::count_if(names.begin(), names.end(), is_column));
+    return known >= std::min(least, names.size());
+  };
+  return {is_column, is_header};
+}
+
 DelimitedTable::DelimitedTable(std::string path, std::string_view text, const HeaderRule& rule)
     : path_(std::move(path)), lines_(text) {
   std::vector<Comment> comments;

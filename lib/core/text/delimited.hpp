@@ -33,6 +33,9 @@ struct HeaderRule {
   std::function<bool(const std::vector<std::string>& names)> is_header;  ///< of as many as there are columns
 };
 
+/// The rule of a table with these columns, in lower case: a header names `least` of them, or all that it has.
+[[nodiscard]] HeaderRule header_of(std::vector<std::string> columns, std::size_t least);
+
 class DelimitedTable {
  public:
   /// Finds delimiter and header of `text`, which must outlive the table. The header is the first line that is
