@@ -1,9 +1,11 @@
 /// Single nodes whose temperature is known in closed form.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "integrators/registry.hpp"
 #include "support/problem.hpp"
 
 namespace superstep {
@@ -44,6 +46,34 @@ TEST(Convection, OfOneNodeHasItsClosedForm) {
     ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
     // T = 3 + t - 2 + c exp(-t/2), T(0) = 1 gives c = 0
     EXPECT_NEAR(result.states[0][0], 5.0, 1e-7) << spec;
+  }
+}
+
+TEST(TabledSource, OfManyKnotsKeepsTheToleranceOverAllFreshStarts) {
+  // An insulated node at 300 K: nothing decays. The source always rises, so the errors of all starts have one
+  // sign; the heat is the sum of trapezoids, 2 J in all.
+  Graph graph = test::chain(1);
+  graph.initial = {300.0};
+  TimeTable source{{0}, {0}};
+  for (int k = 1; k <= 70; ++k) {
+    source.time.push_back(k);
+    source.value.push_back(source.value.back() + (k % 2 == 0 ? 2.0 : 1.0));
+  }
+  double joules = 0;
+  for (std::size_t k = 0; k < 70; ++k) joules += (source.value[k] + source.value[k + 1]) / 2;
+  for (double& value : source.value) value *= 2 / joules;
+  graph.tables.push_back(source);
+  graph.tabled_sources.push_back({.node = 0, .table = 0});
+  test::Problem problem(graph);
+  Plan plan = problem.plan({70.0});
+  plan.ranges = {{.low = 300, .high = 302}};
+  const double capacity = graph.capacity[0];
+  for (const double rtol : {1e-3, 1e-5}) {
+    const auto method = make_integrator(fmt::format("cvode:rtol={}", rtol));
+    method->prepare(*problem.rhs, plan);
+    method->start(0, problem.initial);
+    ASSERT_TRUE(method->advance(70.0).ok());
+    EXPECT_NEAR(method->state()[0], 300 + 2 / capacity, 5 * rtol * 2 / capacity) << rtol;
   }
 }
 
