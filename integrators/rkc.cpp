@@ -14,14 +14,13 @@ IntegratorEntry rkc_entry() {
           .order = 2,
           .adaptive = true,
           .distributed = Distributed::exact,
-          .keys = stabilised_keys(rkc2_family(), true),
+          .keys = stabilised_keys({&rkc1_family(), &rkc2_family()}),
           .examples = {"rkc:rtol=1e-6", "rkc:order=1,rtol=1e-3", "rkc:step=15"},
           .ladder = joined({rtol_ladder("rkc", 1, 8), rtol_ladder("rkc:order=1", 1, 4)}),
           .stability =
               stabilised_theory({{rkc1_family, "rkc:order=1,", 10, false}, {rkc2_family, "rkc:", 10, true}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
-            return std::make_unique<Stabilised>(options.integer("order") == 1 ? rkc1_family() : rkc2_family(),
-                                                options);
+            return make_stabilised({&rkc1_family(), &rkc2_family()}, options);
           }};
 }
 

@@ -14,12 +14,12 @@ IntegratorEntry rkg_entry() {
           .order = 2,
           .adaptive = true,
           .distributed = Distributed::exact,
-          .keys = stabilised_keys(rkg2_family(), false),
+          .keys = stabilised_keys({&rkg2_family()}),
           .examples = {"rkg:rtol=1e-6", "rkg:step=15"},
           .ladder = rtol_ladder("rkg", 1, 8),
           .stability = stabilised_theory({{rkg2_family, "rkg:", 11, false}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
-            return std::make_unique<Stabilised>(rkg2_family(), options);
+            return make_stabilised({&rkg2_family()}, options);
           }};
 }
 

@@ -14,14 +14,13 @@ IntegratorEntry rkl_entry() {
           .order = 2,
           .adaptive = true,
           .distributed = Distributed::exact,
-          .keys = stabilised_keys(rkl2_family(), true),
+          .keys = stabilised_keys({&rkl1_family(), &rkl2_family()}),
           .examples = {"rkl:rtol=1e-6", "rkl:order=1,rtol=1e-3", "rkl:step=15"},
           .ladder = joined({rtol_ladder("rkl", 1, 8), rtol_ladder("rkl:order=1", 1, 4)}),
           .stability =
               stabilised_theory({{rkl1_family, "rkl:order=1,", 11, false}, {rkl2_family, "rkl:", 11, false}}),
           .make = [](const Options& options) -> std::unique_ptr<Method> {
-            return std::make_unique<Stabilised>(options.integer("order") == 1 ? rkl1_family() : rkl2_family(),
-                                                options);
+            return make_stabilised({&rkl1_family(), &rkl2_family()}, options);
           }};
 }
 

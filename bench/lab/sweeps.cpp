@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/lab/catalogue.hpp"
 #include "bench/lab/mode.hpp"
 #include "bench/lab/networks.hpp"
 #include "integrators/registry.hpp"
-#include "integrators/schemes/stabilised_schemes.hpp"
 #include "integrators/schemes/super_step.hpp"
 
 namespace superstep {
@@ -19,7 +19,6 @@ constexpr int substeps = 10;
 constexpr double usual_nu = 1e-3;
 constexpr double nu_sweep_contrast = 1e6;
 constexpr int first_steps = 5;
-constexpr int stages = 11;  // odd: every stabilised family has it
 constexpr double part_of_limit = 0.99;
 
 /// How far the first steps leave [0, 1], the range of initial and fixed values. A method that fails counts as
@@ -52,16 +51,11 @@ std::vector<MethodAtPoint> contenders(const SweepPoint& point, double lambda_max
   std::vector<MethodAtPoint> out = {
       {"forward_euler", fmt::format("forward-euler:step={:.17g}", critical_step), critical_step},
       {"sts", fmt::format("sts:n={},nu={},step={:.17g}", point.n, point.nu, critical_step), superstep}};
-  const auto add = [&](const StabilisedFamily& family, const char* spec) {
-    const double step = part_of_limit * family.beta(stages) / lambda_max;
-    out.push_back({family.name, fmt::format("{}stages={},step={:.17g}", spec, stages, step), step});
-  };
-  add(rkc1_family(), "rkc:order=1,");
-  add(rkc2_family(), "rkc:");
-  add(rkl1_family(), "rkl:order=1,");
-  add(rkl2_family(), "rkl:");
-  add(rkg2_family(), "rkg:");
-  add(rock4_family(), "rock:");
+  for (const auto& model : stability_limits(false)) {
+    if (!is_stabilised(model)) continue;
+    const double step = part_of_limit * *model.beta / lambda_max;
+    out.push_back({model.family, model.spec(step), step});
+  }
   for (const double phi : {0.5, 0.6, 1.0})
     out.push_back({fmt::format("trapezoidal_{:g}", phi),
                    fmt::format("trapezoidal:phi={},step={:.17g}", phi, superstep), superstep});

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "integrators/schemes/stability_model.hpp"
+
 namespace superstep {
 namespace {
 
@@ -224,8 +226,11 @@ std::vector<Verdict> judge_methods(const StabilityResults& results) {
   if (results.methods.empty()) return verdicts;
   for (const char* order : {"recurrence", "leja", "natural"})
     verdicts.push_back(judge_superstep(results, order));
-  for (const char* family : {"rkc1", "rkc2", "rkl1", "rkl2", "rkg2", "rock4"})
-    verdicts.push_back(judge_stabilised(results, family));
+  for (std::size_t k = 0; k < results.methods.size(); ++k) {
+    const auto& one = results.methods[k];
+    const bool first = k == 0 || results.methods[k - 1].family != one.family;
+    if (first && is_stabilised(one)) verdicts.push_back(judge_stabilised(results, one.family));
+  }
   for (const char* phi : {"0.5", "0.6", "1"}) verdicts.push_back(judge_trapezoidal(results, phi));
   return verdicts;
 }

@@ -9,16 +9,27 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/index.hpp"
+
 namespace superstep {
 namespace {
 
-constexpr double damped_end = 0.85;
+/// Real and imaginary parts of the roots, one pair after the other, and l / s^2: all tend to a limit as s
+/// grows.
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 5, 1>;
+using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 5, 5>;
 
-/// Real and imaginary parts of the two roots, and l / s^2: all tend to a limit as s grows.
-using Unknowns = Eigen::Matrix<double, 5, 1>;
+constexpr double damped_end(int order) noexcept {
+  return order == 4 ? 0.85 : 0.95;
+}
 
-RockPolynomial polynomial_of(int stages, const Unknowns& u) {
-  return {.real = {u[0], u[2]}, .imaginary = {u[1], u[3]}, .length = u[4] * stages * stages};
+RockPolynomial polynomial_of(int order, int stages, const Unknowns& u) {
+  RockPolynomial out{.order = order, .length = u[order] * stages * stages};
+  for (int k = 0; k < order / 2; ++k) {
+    out.real[at(k)] = u[2 * k];
+    out.imaginary[at(k)] = u[2 * k + 1];
+  }
+  return out;
 }
 
 std::array<double, 5> product(const std::array<double, 5>& a, const std::array<double, 5>& b) {
@@ -34,15 +45,15 @@ double value(const std::array<double, 5>& coefficients, double z) {
   return sum;
 }
 
-/// Walks the recurrence of P_{s-4} in its normalisation P_j(1) = 1,
+/// Walks the recurrence of P_{s-p} in its normalisation P_j(1) = 1,
 ///   P_j = (m_j + mt_j z) P_{j-1} + n_j P_{j-2},   m_j + n_j = 1,
 /// handing each (j, m_j, mt_j) to `take`. Inner products are sums over Chebyshev nodes, exact for the degrees
 /// that occur (Stieltjes procedure).
 template <class Take>
 void walk_recurrence(int stages, const RockPolynomial& polynomial, Take take) {
-  constexpr std::size_t room = static_cast<std::size_t>(rock_most_stages) + 1;
+  constexpr std::size_t room = at(rock_most_stages(2)) + 2;
   std::array<double, room> x, squared_weight, now, before;
-  const auto degree = static_cast<std::size_t>(stages - 4), nodes = degree + 5;  // 2 nodes > 2 degree + 9
+  const std::size_t degree = at(stages - polynomial.order), nodes = at(stages) + 1;
   const auto w = polynomial.weight();
   for (std::size_t k = 0; k < nodes; ++k) {
     const double angle =
@@ -74,9 +85,9 @@ void walk_recurrence(int stages, const RockPolynomial& polynomial, Take take) {
   }
 }
 
-/// Residuals of R'(0) = ... = R''''(0) = 1 and of the damping at -l.
-Unknowns residuals(int stages, const Unknowns& u) {
-  const RockPolynomial polynomial = polynomial_of(stages, u);
+/// Residuals of R'(0) = ... = R^(p)(0) = 1 and of the damping at -l.
+Unknowns residuals(int order, int stages, const Unknowns& u) {
+  const RockPolynomial polynomial = polynomial_of(order, stages, u);
   std::array<double, 5> series{1}, series_before{1};  // of P_j in z
   double end = 1, end_before = 1;                     // P_j(-l)
   walk_recurrence(stages, polynomial, [&](std::size_t, double m, double mt) {
@@ -89,78 +100,92 @@ Unknowns residuals(int stages, const Unknowns& u) {
   const auto w = polynomial.weight();
   const auto taylor = product(series, w);
   const double sign = stages % 2 == 0 ? 1 : -1;
-  Unknowns out;
-  out << taylor[1] - 1, 2 * taylor[2] - 1, 6 * taylor[3] - 1, 24 * taylor[4] - 1,
-      sign * end * value(w, -polynomial.length) / damped_end - 1;
+  Unknowns out(order + 1);
+  double factorial = 1;
+  for (int k = 1; k <= order; ++k) {
+    factorial *= k;
+    out[k - 1] = factorial * taylor[at(k)] - 1;
+  }
+  out[order] = sign * end * value(w, -polynomial.length) / damped_end(order) - 1;
   return out;
 }
 
-/// Between solutions, which vary almost linearly with 1/s^2.
-Unknowns first_guess(int stages) {
-  struct Row {
-    int stages;
-    double unknowns[5];
-  };
-  static constexpr Row rows[] = {{200, {-0.3065, 3.5839, -2.5008, 1.3179, 0.3511}},
-                                 {16, {-0.2841, 3.5074, -2.4531, 1.2997, 0.3398}},
-                                 {8, {-0.2382, 3.2842, -2.3108, 1.2408, 0.3061}},
-                                 {6, {-0.2184, 3.0658, -2.1637, 1.1713, 0.2717}},
-                                 {5, {-0.2206, 2.8590, -2.0142, 1.0900, 0.2371}}};
+/// Solutions for some numbers of stages, most first, to about four digits.
+struct Known {
+  int stages;
+  std::array<double, 5> unknowns;
+};
+constexpr std::array<Known, 4> known_of_order_two = {{{200, {-1.3348, 1.3656, 0.8026}},
+                                                      {10, {-1.3182, 1.3538, 0.7916}},
+                                                      {5, {-1.2700, 1.3170, 0.7580}},
+                                                      {3, {-1.1650, 1.2216, 0.6741}}}};
+constexpr std::array<Known, 5> known_of_order_four = {{{200, {-0.3065, 3.5839, -2.5008, 1.3179, 0.3511}},
+                                                       {16, {-0.2841, 3.5074, -2.4531, 1.2997, 0.3398}},
+                                                       {8, {-0.2382, 3.2842, -2.3108, 1.2408, 0.3061}},
+                                                       {6, {-0.2184, 3.0658, -2.1637, 1.1713, 0.2717}},
+                                                       {5, {-0.2206, 2.8590, -2.0142, 1.0900, 0.2371}}}};
+
+/// Between known solutions, which vary almost linearly with 1/s^2.
+Unknowns first_guess(int order, int stages) {
+  const auto known = order == 4 ? std::span<const Known>(known_of_order_four) : known_of_order_two;
   const auto inverse_square = [](int s) { return 1.0 / (static_cast<double>(s) * s); };
-  const Row* row = rows + 1;
-  while (stages < row->stages) ++row;
-  const Row &low = row[-1], &high = *row;
+  std::size_t row = 1;
+  while (stages < known[row].stages) ++row;
+  const Known &low = known[row - 1], &high = known[row];
   const double part = (inverse_square(stages) - inverse_square(low.stages)) /
                       (inverse_square(high.stages) - inverse_square(low.stages));
-  Unknowns out;
-  for (int k = 0; k < 5; ++k) out[k] = std::lerp(low.unknowns[k], high.unknowns[k], part);
+  Unknowns out(order + 1);
+  for (int k = 0; k <= order; ++k) out[k] = std::lerp(low.unknowns[at(k)], high.unknowns[at(k)], part);
   return out;
 }
 
-Eigen::Matrix<double, 5, 5> difference_jacobian(int stages, const Unknowns& u, const Unknowns& f) {
-  Eigen::Matrix<double, 5, 5> jacobian;
-  for (int k = 0; k < 5; ++k) {
+Jacobian difference_jacobian(int order, int stages, const Unknowns& u, const Unknowns& f) {
+  Jacobian jacobian(order + 1, order + 1);
+  for (int k = 0; k <= order; ++k) {
     const double change = 1e-7 * std::abs(u[k]);
     Unknowns moved = u;
     moved[k] += change;
-    jacobian.col(k) = (residuals(stages, moved) - f) / change;
+    jacobian.col(k) = (residuals(order, stages, moved) - f) / change;
   }
   return jacobian;
 }
 
-RockPolynomial solve(int stages) {
+RockPolynomial solve(int order, int stages) {
   constexpr int most_steps = 20;
   constexpr double accepted = 1e-10;
-  Unknowns u = first_guess(stages), f = residuals(stages, u);
+  Unknowns u = first_guess(order, stages), f = residuals(order, stages, u);
   for (int step = 0; step < most_steps; ++step) {
-    const Unknowns next = u - difference_jacobian(stages, u, f).partialPivLu().solve(f);
-    const Unknowns next_f = residuals(stages, next);
+    const Unknowns next = u - difference_jacobian(order, stages, u, f).partialPivLu().solve(f);
+    const Unknowns next_f = residuals(order, stages, next);
     // Newton's method ends where rounding keeps the residual from falling.
-    if (f.norm() < accepted && !(next_f.norm() < 0.5 * f.norm())) return polynomial_of(stages, u);
+    if (f.norm() < accepted && !(next_f.norm() < 0.5 * f.norm())) return polynomial_of(order, stages, u);
     u = next;
     f = next_f;
   }
-  throw std::logic_error("no stability polynomial of order four found for this number of stages");
+  throw std::logic_error("no stability polynomial found for this order and number of stages");
 }
 
 }  // namespace
 
 std::array<double, 5> RockPolynomial::weight() const {
   std::array<double, 5> out{1};
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < at(order / 2); ++k) {
     const double square = real[k] * real[k] + imaginary[k] * imaginary[k];
     out = product(out, {1, -2 * real[k] / square, 1 / square});
   }
   return out;
 }
 
-const RockPolynomial& rock_polynomial(int stages) {
-  constexpr std::size_t room = static_cast<std::size_t>(rock_most_stages) + 1;
-  static std::array<std::once_flag, room> solved;
-  static std::array<RockPolynomial, room> polynomials;
-  const auto s = static_cast<std::size_t>(stages);
-  std::call_once(solved[s], [&] { polynomials[s] = solve(stages); });
-  return polynomials[s];
+const RockPolynomial& rock_polynomial(int order, int stages) {
+  struct Solved {
+    std::once_flag once;
+    RockPolynomial polynomial;
+  };
+  constexpr std::size_t room = at(rock_most_stages(2)) + 1;
+  static std::array<std::array<Solved, room>, 2> all;
+  Solved& one = all[order == 4 ? 1 : 0][at(stages)];
+  std::call_once(one.once, [&] { one.polynomial = solve(order, stages); });
+  return one.polynomial;
 }
 
 void set_rock_recurrence(int stages, const RockPolynomial& polynomial, ThreeTermScheme& scheme) {

@@ -22,13 +22,6 @@ void clear_scheme(int stages, double beta, ThreeTermScheme& scheme) {
   for (auto* v : {&scheme.m, &scheme.n, &scheme.mt, &scheme.gt, &scheme.c}) v->assign(at(stages) + 1, 0.0);
 }
 
-/// c_j from the other coefficients; mt_1 and those of j >= 2 must be set.
-void set_stage_times(ThreeTermScheme& scheme) {
-  scheme.c[1] = scheme.mt[1];
-  for (std::size_t j = 2; j <= at(scheme.stages); ++j)
-    scheme.c[j] = scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] + scheme.mt[j] + scheme.gt[j];
-}
-
 /// T_j(w0) and its first two derivatives, free of cancellation near w0 = 1.
 struct Chebyshev {
   explicit Chebyshev(double damping_over_s2)

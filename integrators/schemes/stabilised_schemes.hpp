@@ -20,6 +20,9 @@ struct StabilisedFamily {
   /// A rounding inside a step with s stages reaches its end multiplied by up to factor s^power.
   double rounding_factor = 1;
   int rounding_power = 2;
+  /// Those of the recurrence at the stiffest mode are multiplied by stiff_end s^power behind it; such a
+  /// family's schemes work by change.
+  double stiff_end = 0;
 
   /// Smallest allowed stage count with beta(s) >= z.
   [[nodiscard]] int stages_for(double z) const;
@@ -37,7 +40,9 @@ struct StabilisedFamily {
 /// RKG2: Skaras, Saxton, Meyer & Aslam (2021), doi:10.1016/j.jcp.2020.109879.
 [[nodiscard]] const StabilisedFamily& rkg2_family();
 
-/// ROCK4, orthogonal Chebyshev polynomials: Abdulle (2002), doi:10.1137/S1064827500379549.
+/// Orthogonal Chebyshev polynomials. ROCK2: Abdulle & Medovikov (2001), doi:10.1007/s002110100292; ROCK4:
+/// Abdulle (2002), doi:10.1137/S1064827500379549.
+[[nodiscard]] const StabilisedFamily& rock2_family();
 [[nodiscard]] const StabilisedFamily& rock4_family();
 
 /// Stability polynomial R(z) of a scheme by its own recurrence, and its Taylor coefficient c_k of z^k at 0.

@@ -24,6 +24,12 @@ struct StabilityModel {
   std::function<std::string(double step)> spec;  ///< SPEC that takes one step of that length [s]
 };
 
+/// Whether it is a Runge-Kutta method of many stages, from what the laboratory knows of it.
+template <class Model>
+[[nodiscard]] bool is_stabilised(const Model& model) {
+  return model.beta.has_value() && model.order.empty() && model.stages > 1;
+}
+
 /// Methods step by a spectral radius inflated by about one per cent; so does the laboratory.
 inline constexpr double stability_margin = 0.99;
 

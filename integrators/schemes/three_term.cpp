@@ -5,9 +5,17 @@
 #include <cmath>
 #include <utility>
 
+#include "core/index.hpp"
 #include "core/parallel.hpp"
 
 namespace superstep {
+
+void set_stage_times(ThreeTermScheme& scheme) {
+  scheme.c[0] = 0;
+  scheme.c[1] = scheme.mt[1];
+  for (std::size_t j = 2; j <= at(scheme.recurrence_stages()); ++j)
+    scheme.c[j] = scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] + scheme.mt[j] + scheme.gt[j];
+}
 
 void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   const auto s = static_cast<std::size_t>(stages);
@@ -20,7 +28,6 @@ void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   const double w1 = sinh_theta / (stages * std::tanh(stages * theta));
   scheme.beta = (1 + w0) / w1;
   scheme.mt[1] = w1 / w0;
-  scheme.c[1] = scheme.mt[1];
   for (std::size_t j = 2; j <= s; ++j) {
     // T_{j-1}/T_j = cosh((j-1) theta)/cosh(j theta), by the addition theorem: no overflow, no error carried
     // from j to j+1.
@@ -28,9 +35,18 @@ void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
     scheme.m[j] = 2 * w0 * ratio;
     scheme.n[j] = 1 - scheme.m[j];  // exactly: the recurrence has no Y_0 term to make up for a rounding
     scheme.mt[j] = 2 * w1 * ratio;
-    scheme.c[j] = scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] + scheme.mt[j];
   }
+  set_stage_times(scheme);
 }
+
+namespace {
+
+/// f(y0 + d) = f(y0) + K d for any d and time.
+bool evaluates_changes(const Rhs& rhs) {
+  return rhs.traits().linear && rhs.traits().autonomous;
+}
+
+}  // namespace
 
 void ThreeTermEngine::resize(std::size_t size, bool finishing) {
   result_.resize(size);
@@ -41,7 +57,8 @@ void ThreeTermEngine::resize(std::size_t size, bool finishing) {
 
 void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
                            std::span<const double> y0, std::span<const double> f0) {
-  if (scheme.finish) return step_with_finish(rhs, scheme, t, h, y0, f0);
+  if (scheme.finish || (scheme.by_change && evaluates_changes(rhs)))
+    return step_by_change(rhs, scheme, t, h, y0, f0);
   std::array<ChainedStage, longest_chain> links;
   std::size_t linked = 0;
   const auto stages = static_cast<std::size_t>(scheme.recurrence_stages());
@@ -75,38 +92,33 @@ void ThreeTermEngine::step(Rhs& rhs, const ThreeTermScheme& scheme, double t, do
   if (linked > 0) run_chain();
 }
 
-void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
-                                       std::span<const double> y0, std::span<const double> f0) {
-  const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
+void ThreeTermEngine::step_by_change(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
+                                     std::span<const double> y0, std::span<const double> f0) {
+  const bool by_change = evaluates_changes(rhs);
   const std::size_t n = y0.size();
-  const auto time = [&](std::size_t stage) { return t + scheme.c[stage] * h; };
-  const auto place = [&](std::span<const double> change) {
-    for_each_entry(n, [&](std::size_t i) { argument_[i] = y0[i] + change[i]; });
-  };
   // Changes D_j = Y_j - Y_0 of the last two stages.
   auto &now = result_, &before = previous_;
   for_each_entry(n, [&](std::size_t i) {
     before[i] = 0;
     now[i] = scheme.mt[1] * h * f0[i];
   });
-  const auto recurrence = static_cast<std::size_t>(scheme.recurrence_stages());
-  for (std::size_t j = 2; j <= recurrence; ++j) {
+  for (std::size_t j = 2; j <= at(scheme.recurrence_stages()); ++j) {
     const double m = scheme.m[j], n_j = scheme.n[j], mt = scheme.mt[j] * h;
-    if (!by_change) place(now);
-    // Terms with factor zero are there because a sweep takes Y_0 and F_0 together.
-    if (by_change)
+    // A sweep takes Y_0 and F_0 together: what has factor zero is a vector that it reads anyway.
+    if (by_change) {
       rhs.linear_stage({.y1 = now.data(),
                         .a = m,
                         .d = mt,
                         .y2 = before.data(),
                         .b = n_j,
-                        .y0 = y0.data(),
+                        .y0 = now.data(),
                         .c = 0,
                         .f0 = f0.data(),
                         .e = mt},
                        before);
-    else
-      rhs.stage(time(j - 1),
+    } else {
+      for_each_entry(n, [&](std::size_t i) { argument_[i] = y0[i] + now[i]; });
+      rhs.stage(t + scheme.c[j - 1] * h,
                 {.y1 = argument_.data(),
                  .a = 0,
                  .d = mt,
@@ -114,32 +126,40 @@ void ThreeTermEngine::step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, 
                  .b = n_j,
                  .y0 = now.data(),
                  .c = m,
-                 .f0 = f0.data(),
+                 .f0 = argument_.data(),
                  .e = 0},
                 before);
+    }
     std::swap(now, before);
   }
+  if (scheme.finish) return finish(rhs, scheme, t, h, y0, f0);
+  for_each_entry(n, [&](std::size_t i) { now[i] += y0[i]; });
+}
 
+void ThreeTermEngine::finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
+                             std::span<const double> y0, std::span<const double> f0) {
+  const std::size_t n = y0.size(), recurrence = at(scheme.recurrence_stages());
   const auto& a = scheme.finish->a;
   const auto& b = scheme.finish->b;
   const auto sweep = [&](std::size_t k, std::span<const double> change) {
-    if (!by_change) place(change);
-    if (by_change)
+    if (evaluates_changes(rhs)) {
       rhs.linear_stage({.y1 = change.data(),
                         .a = 0,
                         .d = 1,
-                        .y2 = y0.data(),
+                        .y2 = change.data(),
                         .b = 0,
-                        .y0 = y0.data(),
+                        .y0 = change.data(),
                         .c = 0,
                         .f0 = f0.data(),
                         .e = 1},
                        slopes_[k]);
-    else
-      rhs(time(recurrence + k), argument_, slopes_[k]);
+    } else {
+      for_each_entry(n, [&](std::size_t i) { argument_[i] = y0[i] + change[i]; });
+      rhs(t + scheme.c[recurrence + k] * h, argument_, slopes_[k]);
+    }
   };
+  auto &now = result_, &stage = previous_;
   const auto &f1 = slopes_[0], &f2 = slopes_[1], &f3 = slopes_[2], &f4 = slopes_[3];
-  auto& stage = before;
   sweep(0, now);
   for_each_entry(n, [&](std::size_t i) { stage[i] = now[i] + h * (a[0][0] * f1[i]); });
   sweep(1, stage);

@@ -32,6 +32,7 @@ struct ThreeTermScheme {
   double beta = 0;                      ///< stable for h * rho <= beta
   bool uses_first_derivative = false;   ///< the first stage starts from F_0 as given
   bool keeps_first_stage = false;       ///< gt or the Y_0 term is not zero
+  bool by_change = false;               ///< its stages multiply roundings, which are to be those of a change
   std::vector<double> m, n, mt, gt, c;  ///< [s+1]; c_j h = time of stage j
   std::optional<FinishingProcedure> finish{};
 
@@ -40,6 +41,9 @@ struct ThreeTermScheme {
     return finish ? stages - FinishingProcedure::stages : stages;
   }
 };
+
+/// Times c of the recurrence's stages from its other coefficients.
+void set_stage_times(ThreeTermScheme& scheme);
 
 /// First-order RKC polynomial T_s(w0 + w1 z)/T_s(w0), by ratios of T_j that cannot overflow.
 ///   excess [-]  w0 - 1 > 0, given as such because 1 + excess would lose its digits
@@ -55,9 +59,8 @@ class ThreeTermEngine {
   void resize(std::size_t size, bool finishing = false);
   /// One step from y0 over h. `f0` = f(t, y0) when the scheme uses it, else may be empty (the engine sweeps
   /// for itself).
-  /// With a finishing procedure the stages are kept as changes from y0: their roundings, which the finish
-  /// multiplies, are then those of the change. Linear autonomous right-hand sides are even evaluated at the
-  /// change.
+  /// Schemes `by_change` keep their stages as changes from y0, and linear autonomous right-hand sides are
+  /// even evaluated at the change. Others are so with a finishing procedure only, where that saves as much.
   /// The result is in `result()` until the next call; y0 is left as it is.
   void step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
             std::span<const double> f0);
@@ -66,8 +69,10 @@ class ThreeTermEngine {
   [[nodiscard]] const std::array<StateVector, 4>& slopes() const noexcept { return slopes_; }
 
  private:
-  void step_with_finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h,
-                        std::span<const double> y0, std::span<const double> f0);
+  void step_by_change(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
+                      std::span<const double> f0);
+  void finish(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
+              std::span<const double> f0);
 
   StateVector result_, previous_, argument_;
   std::array<StateVector, 4> slopes_;

@@ -90,6 +90,7 @@ const FamilyCase families[] = {
     {"rkl1", rkl1_family, [](int s, Real z) { return first_order(legendre, s, 1, z); }},
     {"rkl2", rkl2_family, [](int s, Real z) { return second_order(legendre, s, 1, z); }},
     {"rkg2", rkg2_family, [](int s, Real z) { return second_order(gegenbauer, s, 1, z); }},
+    {"rock2", rock2_family, nullptr},
     {"rock4", rock4_family, nullptr},
 };
 

@@ -65,7 +65,7 @@ TEST(StabilityLab, LooksAtEveryFamily) {
   std::map<std::string, int> seen;
   for (const auto& method : rod_results().methods) ++seen[method.family];
   for (const char* family :
-       {"forward-euler", "sts", "rkc1", "rkc2", "rkl1", "rkl2", "rkg2", "rock4", "trapezoidal"})
+       {"forward-euler", "sts", "rkc1", "rkc2", "rkl1", "rkl2", "rkg2", "rock2", "rock4", "trapezoidal"})
     EXPECT_GT(seen[family], 0) << family;
 }
 
@@ -139,7 +139,8 @@ TEST(StabilityLab, WritesTheColumnsItPromises) {
       {"stability_sweeps.csv",
        "sweep,contrast,size_ratio,nu,n,nodes,networks,edge_over_true,gershgorin_over_true,bound_over_true,"
        "alpha_star,overshoot_forward_euler,overshoot_sts,overshoot_rkc1,overshoot_rkc2,overshoot_rkl1,"
-       "overshoot_rkl2,overshoot_rkg2,overshoot_rock4,overshoot_trapezoidal_0.5,overshoot_trapezoidal_0.6,"
+       "overshoot_rkl2,overshoot_rkg2,overshoot_rock2,overshoot_rock4,overshoot_trapezoidal_0.5,overshoot_"
+       "trapezoidal_0.6,"
        "overshoot_trapezoidal_1"}};
   const auto tables = stability_tables(rod_results());
   ASSERT_EQ(tables.size(), headers.size());
@@ -155,7 +156,7 @@ TEST(StabilityLab, WritesTheColumnsItPromises) {
 TEST(StabilityLab, GivesAVerdictPerMethod) {
   std::map<std::string, Verdict::Grade> grades;
   for (const auto& verdict : rod_results().verdicts) grades[verdict.method] = verdict.grade;
-  EXPECT_EQ(grades.size(), 13u);
+  EXPECT_EQ(grades.size(), 14u);
   EXPECT_EQ(grades.at("sts, order natural"), Verdict::Grade::unsafe);
   EXPECT_EQ(grades.at("trapezoidal, phi = 1"), Verdict::Grade::safe);
   const std::string text = stability_text(rod_results(), false);
@@ -209,7 +210,7 @@ TEST(StabilityProgram, WritesFilesAndJson) {
   EXPECT_EQ(parsed.at("states").size(), 3U);
   EXPECT_EQ(parsed.at("unknowns"), 18);
   EXPECT_EQ(parsed.at("methods").size(), rod_results().methods.size());
-  EXPECT_EQ(parsed.at("verdicts").size(), 13u);
+  EXPECT_EQ(parsed.at("verdicts").size(), 14u);
 }
 
 TEST(StabilityProgram, TakesASceneThatIsNotLinear) {

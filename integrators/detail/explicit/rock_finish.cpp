@@ -155,9 +155,7 @@ void set_rock_finish(ThreeTermScheme& scheme) {
     throw std::logic_error("no finishing procedure of order four found for this number of stages");
   scheme.finish = tried.finish;
   set_error_estimate(*scheme.finish, start);
-  scheme.c[0] = 0;
-  for (std::size_t j = 1; j <= recurrence; ++j)
-    scheme.c[j] = (j > 1 ? scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] : 0) + scheme.mt[j];
+  set_stage_times(scheme);
   scheme.c[recurrence + 1] = start[0] + second_part * way;
   scheme.c[recurrence + 2] = start[0] + third_part * way;
   scheme.c[recurrence + 3] = start[0] + now * way;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "core/error.hpp"
@@ -13,24 +14,36 @@
 
 namespace superstep {
 
-std::vector<OptionKey> stabilised_keys(const StabilisedFamily& family, bool two_orders) {
+std::vector<OptionKey> stabilised_keys(const OfferedFamilies& families) {
   std::vector<OptionKey> keys = {tolerance_key("1e-4")};
+  int fewest = families.front()->fewest_stages, most = families.front()->most_stages;
+  for (const auto* family : families) {
+    fewest = std::min(fewest, family->fewest_stages);
+    most = std::max(most, family->most_stages);
+  }
   keys.push_back(
       {.name = "step", .min = 0, .min_open = true, .unit = "s", .meaning = "fixed step instead of rtol"});
   keys.push_back({.name = "stages",
                   .type = OptionKey::Type::integer,
-                  .min = static_cast<double>(two_orders ? 1 : family.fewest_stages),
-                  .max = static_cast<double>(family.most_stages),
+                  .min = static_cast<double>(fewest),
+                  .max = static_cast<double>(most),
                   .fallback = "as stability asks",
                   .meaning = "with step: fixed number of stages"});
-  if (two_orders)
-    keys.push_back({.name = "order",
-                    .type = OptionKey::Type::integer,
-                    .min = 1,
-                    .max = 2,
-                    .fallback = "2",
-                    .meaning = "order in time"});
+  if (families.size() == 1) return keys;
+  OptionKey order{.name = "order", .type = OptionKey::Type::word, .meaning = "order in time"};
+  for (const auto* family : families) order.words.push_back(std::to_string(family->order));
+  order.fallback = order.words.back();
+  keys.push_back(std::move(order));
   return keys;
+}
+
+std::unique_ptr<Method> make_stabilised(const OfferedFamilies& families, const Options& options) {
+  const auto* family = families.back();
+  if (families.size() > 1)
+    family = *std::find_if(families.begin(), families.end(), [&](const StabilisedFamily* one) {
+      return std::to_string(one->order) == options.word("order");
+    });
+  return std::make_unique<Stabilised>(*family, options);
 }
 
 Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
@@ -45,26 +58,26 @@ Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
     throw UsageError(
         fmt::format("{}: stages goes with step; add step=..., or leave stages out", options.spec().name));
   const bool odd_needed = family.stage_step == 2 && fixed_stages_ % 2 == 0;
-  if (fixed_stages_ < family.fewest_stages || odd_needed)
-    throw UsageError(fmt::format("{}: stages = {} is not valid; it must be {}>= {}", options.spec().name,
-                                 fixed_stages_, family.stage_step == 2 ? "odd and " : "",
-                                 family.fewest_stages));
+  if (fixed_stages_ < family.fewest_stages || fixed_stages_ > family.most_stages || odd_needed)
+    throw UsageError(fmt::format("{}: stages = {} is not valid; it must be {}from {} to {} at order {}",
+                                 options.spec().name, fixed_stages_, family.stage_step == 2 ? "odd and " : "",
+                                 family.fewest_stages, family.most_stages, family.order));
 }
 
 void Stabilised::prepare(Rhs& rhs, const Task& task) {
   rhs_ = &rhs;
   norm_.prepare(rhs, task.allowed);
   radius_.prepare(rhs, task.spans);
-  const bool finishing = family_.order == 4;
-  engine_.resize(rhs.size(), finishing);
+  engine_.resize(rhs.size(), family_.order == 4);
   for (auto* v : {&derivative_, &next_derivative_}) v->resize(rhs.size());
   // A nonlinear right-hand side sees the state with its roundings, not only the change within the step.
   constexpr double state_over_change = 16;
+  const bool multiplies = family_.stiff_end > 0;
   const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
   const double of_values = task.rounding > 0 ? std::numeric_limits<double>::epsilon() / task.rounding : rtol_;
-  stage_limit_ = family_.stages_within_rounding(finishing && !by_change ? of_values / state_over_change
-                                                : finishing             ? rtol_
-                                                                        : of_values);
+  stage_limit_ = family_.stages_within_rounding(!multiplies ? of_values
+                                                : by_change ? rtol_
+                                                            : of_values / state_over_change);
   for (auto* v : {&scheme_.m, &scheme_.n, &scheme_.mt, &scheme_.gt, &scheme_.c})
     v->reserve(static_cast<std::size_t>(family_.most_stages) + 1);
   scheme_.stages = 0;

@@ -1,6 +1,9 @@
 #pragma once
 /// One method for all stabilised families: error-controlled or fixed steps on the three-term engine.
 
+#include <memory>
+#include <vector>
+
 #include "integrators/detail/error_norm.hpp"
 #include "integrators/detail/explicit/spectral_radius.hpp"
 #include "integrators/registry.hpp"
@@ -9,12 +12,18 @@
 
 namespace superstep {
 
-/// Keys rtol, step and stages (up to those of `family`); `two_orders` adds the key `order`.
-[[nodiscard]] std::vector<OptionKey> stabilised_keys(const StabilisedFamily& family, bool two_orders);
+/// The families that one method offers, by their orders; the last one is the default.
+using OfferedFamilies = std::vector<const StabilisedFamily*>;
+
+/// Keys rtol, step and stages, and `order` where several families are offered.
+[[nodiscard]] std::vector<OptionKey> stabilised_keys(const OfferedFamilies& families);
+/// The method of the family that the options ask for.
+[[nodiscard]] std::unique_ptr<Method> make_stabilised(const OfferedFamilies& families,
+                                                      const Options& options);
 
 class Stabilised final : public OneStepMethod {
  public:
-  /// Throws UsageError for `stages` without `step`, or both tolerance and `step`.
+  /// Throws UsageError for `stages` without `step` or not of this family, or both tolerance and `step`.
   Stabilised(const StabilisedFamily& family, const Options& options);
 
   void prepare(Rhs& rhs, const Task& task) override;
