@@ -65,6 +65,10 @@ void ArkodeRungeKutta::create_solver(double t) {
   check_sundials(ARKStepWFtolerances(arkode, weights), "setting tolerances");
   check_sundials(ARKStepSetMaxNumSteps(arkode, -1), "lifting the step limit");  // one step a call here
   if (!implicit_) return;
+  // How fast Newton's method converges is not taken over from steps before: where that was fast, a law that
+  // bends or a step of the inputs had one correction with an old matrix taken for the solution.
+  constexpr double measured_anew = 1;
+  check_sundials(ARKStepSetNonlinCRDown(arkode, measured_anew), "setting the rate of convergence");
   const std::string linsol = attach_linear_solver(SundialsPackage::arkode, arkode);
   // One Newton iteration is all that a linear system needs, where the linear solver is exact.
   const bool direct = linsol == "klu" || linsol == "cholmod";

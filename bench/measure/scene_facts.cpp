@@ -21,7 +21,8 @@ std::vector<SkippedWork> skipped_work(const Scene& scene, const RunResult& run) 
   auto out = skipped_work(scene);
   if (run.settled_at)
     out.push_back({fmt::format("stepping the potential from t = {:.4g} s on", *run.settled_at),
-                   fmt::format("it was steady: [electric] settle_tolerance = {:g} of its span",
+                   fmt::format("it was steady: what was left of its change moves no field by a tenth of the "
+                               "tolerance, or by [electric] settle_tolerance = {:g} of its span",
                                scene.settle_tolerance)});
   if (run.jacobians == 1 && run.statistics.steps > 1 && scene.rhs->traits().constant_jacobian)
     out.push_back({"repeated Jacobians", "conductances are constant: one evaluation a run"});

@@ -62,6 +62,8 @@ double lanczos_seconds(const Work& work, double rtol, const CostConstants& c) {
 /// times; dimensions are those that every spectrum needs.
 double invert_seconds(const Work& work, double rtol, const CostConstants& c) {
   const double factor_bytes = 16 * std::pow(work.unknowns, 4.0 / 3.0);
+  // Then the capacities, all that holds an insulated network, are below the roundings of the diagonal.
+  if (work.insulated && std::numeric_limits<double>::epsilon() * work.t_rho > 1) return never;
   if (rtol < tightest || factor_bytes > work.memory || work.shapes > 0) return never;
   const double size = work.unknowns / usual_size, digits = std::log10(1 / rtol);
   const double poles = std::max(1.0, std::ceil(work.output_decades / 2));
@@ -106,7 +108,8 @@ double bdf_seconds(Family family, const Work& work, double rtol, const CostConst
 }
 
 /// Part of the tolerance that a family is given, so that its error stays below twice all of it in 99 random
-/// scenes of a hundred: what the worst of them err by (reports/records/audit.md). BDF begins anew at knots.
+/// scenes of a hundred: what the worst of them err by (reports/records/audit.md). BDF begins anew at knots,
+/// and steps over bends.
 double part_of_tolerance(Family family, const Work& work) {
   switch (family) {
     case Family::lanczos:
@@ -122,7 +125,7 @@ double part_of_tolerance(Family family, const Work& work) {
     case Family::cvode_pcg:
     case Family::cvode_gmres:
     case Family::cvode_klu:
-      return work.pieces > 1 ? 0.15 : 0.4;
+      return work.pieces > 1 || !work.smooth ? 0.15 : 0.4;
     default:
       return 1;
   }
@@ -209,6 +212,7 @@ std::vector<Candidate> candidates(const Work& work, double rtol, const CostConst
     default:
       families = {Family::rock, Family::exprb, Family::cvode_gmres};
   }
+  if (!work.smooth) std::erase(families, Family::rock);  // its many stages look past a bend
   std::vector<Candidate> out;
   for (const Family family : families) {
     const double own = std::clamp(rtol * part_of_tolerance(family, work), 1e-14, loosest(family));

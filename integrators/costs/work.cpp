@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "rhs/network_rhs.hpp"
 #include "rhs/nonlinear_rhs.hpp"
 #include "rhs/one_way.hpp"
 
@@ -41,9 +42,12 @@ Work work_of(Rhs& rhs, double t_begin, std::span<const double> output_times, dou
   const auto within = [&](const Breakpoint& point) { return point.t > t_begin && point.t < end; };
   double nonzeros = 0;
   for (const auto& field : rhs.facts().fields) nonzeros += static_cast<double>(field.nonzeros);
+  const auto* network = dynamic_cast<const NetworkRhs*>(&rhs);
   const auto* nonlinear = dynamic_cast<const NonlinearRhs*>(&rhs);
   return {.physics = physics_in(rhs),
           .steady = nonlinear && nonlinear->solves_for_potential(),
+          .smooth = rhs.traits().smooth,
+          .insulated = network != nullptr && network->network().ghost_edges.empty(),
           .unknowns = static_cast<double>(rhs.reduction().total()),
           .nonzeros = nonzeros,
           .t_rho = time * rhs.spectral_bound(t_begin, zero),

@@ -140,7 +140,10 @@ int StabilisedFamily::stages_for(double z) const {
   // beta grows like s^2: start below, then step up to the first that holds.
   int s = fewest_stages;
   const double growth = beta(1001) / (1001.0 * 1001.0);
-  const int guess = static_cast<int>(std::sqrt(z / growth)) - 3;
+  constexpr double countless = 1e9;  // more than any step may have; an int has no room for what else z asks
+  const double wanted = std::sqrt(z / growth);
+  if (!(wanted < countless)) return static_cast<int>(countless) + 1;
+  const int guess = static_cast<int>(wanted) - 3;
   if (guess > s) s += (guess - s) / stage_step * stage_step;
   while (beta(s) < z) s += stage_step;
   return s;

@@ -30,6 +30,12 @@ double ConductivityLaw::floor() const noexcept {
   return outside == Outside::clamp ? clamped_line : floor_of_line;
 }
 
+bool ConductivityLaw::smooth() const noexcept {
+  const bool held = outside == Outside::clamp;
+  return kind == Kind::table ? temperatures.size() <= 2 && !held
+                             : !(kind == Kind::linear && held && coefficient != 0);
+}
+
 double ConductivityLaw::at(double temperature) const noexcept {
   switch (kind) {
     case Kind::constant:

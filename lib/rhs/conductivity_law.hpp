@@ -30,6 +30,8 @@ struct ConductivityLaw {
   std::string place = {};  ///< "file:line: key 'a.b'" of the case, to begin messages with; may be empty
 
   [[nodiscard]] bool varies() const noexcept { return kind != Kind::constant; }
+  /// Whether its slope has no jumps: a table bends at its points, and whatever is held beyond a range there.
+  [[nodiscard]] bool smooth() const noexcept;
   [[nodiscard]] double at(double temperature) const noexcept;
   [[nodiscard]] double slope(double temperature) const noexcept;  ///< dkappa/dT
   /// False beyond the range, whatever `outside` says; true for NaN, which is no matter of the law.

@@ -33,6 +33,16 @@ double rms(const std::vector<double>& v) noexcept {
 
 }  // namespace
 
+bool FieldInput::smooth() const noexcept {
+  return std::all_of(laws.of_material.begin(), laws.of_material.end(),
+                     [](const auto& law) { return law.smooth(); });
+}
+
+bool FieldInput::varies() const noexcept {
+  return std::any_of(laws.of_material.begin(), laws.of_material.end(),
+                     [](const auto& law) { return law.varies(); });
+}
+
 void NonlinearRhs::find_facts(const NonlinearInput& input) {
   facts_.pair_step = input.temperature.pair_step;
   facts_.radiates = radiates_;

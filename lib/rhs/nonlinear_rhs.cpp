@@ -32,6 +32,7 @@ RhsTraits traits_of(const NonlinearInput& input) {
           .constant_jacobian = is_linear,
           .symmetric = !laws && !input.joule,
           .autonomous = autonomous(input),
+          .smooth = input.temperature.smooth() && (!input.potential || input.potential->smooth()),
           .constant_blocks = !laws};
 }
 
@@ -127,11 +128,6 @@ Stage shifted(const Stage& stage, std::size_t offset) noexcept {
 }
 
 }  // namespace
-
-bool FieldInput::varies() const noexcept {
-  return std::any_of(laws.of_material.begin(), laws.of_material.end(),
-                     [](const auto& law) { return law.varies(); });
-}
 
 NonlinearRhs::NonlinearRhs(NonlinearInput input)
     : Rhs(size_of(input), traits_of(input), views_of(input), input.among()),

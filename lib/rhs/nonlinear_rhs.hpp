@@ -27,6 +27,7 @@ struct FieldInput {
   std::shared_ptr<Halo> node_halo = nullptr;
   std::vector<std::int32_t> node_of_halo = {};
   [[nodiscard]] bool varies() const noexcept;
+  [[nodiscard]] bool smooth() const noexcept;
 };
 
 struct NonlinearInput {

@@ -22,6 +22,7 @@ struct RhsTraits {
   bool constant_jacobian = false;
   bool symmetric = false;   ///< C J symmetric: the Jacobian is self-adjoint in the capacity inner product
   bool autonomous = false;  ///< f does not depend on t
+  bool smooth = true;       ///< f has no bends in the state, as tables of conductivities have
   /// The fields' own diagonal blocks of J are constant and symmetric but for a diagonal part that
   /// `radius_beyond_blocks` bounds, and at most one field acts on the other: the spectrum is that of the
   /// blocks.

@@ -6,6 +6,8 @@
 
 #include "bench/harness/reference.hpp"
 #include "bench/harness/verification.hpp"
+#include "bench/measure/run_one.hpp"
+#include "support/temporary_case.hpp"
 
 namespace superstep {
 namespace {
@@ -28,6 +30,41 @@ TEST_P(UnevenNetwork, LanczosKeepsItsTolerance) {
     EXPECT_LT(run.errors.front().delivered.value(), most) << rtol;
   }
 }
+
+/// Three nodes that heat each other within 1e-17 s of the 0.01 s of the run, held by nothing, or by a path
+/// that carries a billionth of a watt a kelvin: what assembled matrices know of them is below their
+/// roundings.
+class HiddenBySpeed : public testing::TestWithParam<double> {};
+
+TEST_P(HiddenBySpeed, WhatIsSlowIsRight) {
+  const double capacity = GetParam(), heat = 1.002, path = 1e-9, t_end = 0.01, held = 300;
+  const test::CaseFolder folder;
+  const auto last = [&](const std::string& nodes, const std::string& edges, const std::string& spec) {
+    folder.write("nodes.csv", "id,capacity,source,initial,fixed\n" + nodes);
+    folder.write("edges.csv", "i,j,conductance\n" + edges);
+    const Scene scene = load_scene(folder.write(
+        "case.toml",
+        fmt::format("t_end = {}\n[network]\nnodes = \"nodes.csv\"\nedges = \"edges.csv\"\n", t_end)));
+    double value = 0;
+    RunRequest request;
+    request.observe = [&](std::size_t, double, std::span<const double> state) { value = state.front(); };
+    const RunResult run = run_one(scene, spec, request);
+    EXPECT_TRUE(run.outcome.ok()) << spec << ": " << run.outcome.reason;
+    return value;
+  };
+  const std::string three = fmt::format("0,{0},0.001,0,\n1,{0},1,300,\n2,{0},0.001,-5,\n", capacity);
+  const double rate = path / (3 * capacity);
+  const double free = (heat * t_end + 295 * capacity) / (3 * capacity);
+  const double bound =
+      held + (295.0 / 3 - held) * std::exp(-rate * t_end) - heat / path * std::expm1(-rate * t_end);
+  for (const char* spec : {"auto", "auto:rtol=1e-8", "exponential:basis=shift-invert", "cvode:rtol=1e-8"}) {
+    EXPECT_NEAR(last(three, "0,1,1e6\n1,2,2.5e6\n", spec) / free, 1, 1e-6) << spec;
+    EXPECT_NEAR(last(three + "3,1,0,300,300\n", "0,1,1e6\n1,2,2.5e6\n2,3,1e-9\n", spec) / bound, 1, 1e-6)
+        << spec;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Capacities, HiddenBySpeed, testing::Values(1e-9, 1e-11, 1e-12));
 
 INSTANTIATE_TEST_SUITE_P(Corpus, UnevenNetwork, testing::Values("two_materials_1000", "fibres_1000"));
 

@@ -128,6 +128,11 @@ class EveryFamily : public ::testing::TestWithParam<FamilyCase> {
 INSTANTIATE_TEST_SUITE_P(Families, EveryFamily, ::testing::ValuesIn(families),
                          [](const auto& one) { return std::string(one.param.name); });
 
+TEST_P(EveryFamily, CountsStagesThatNoStepMayHave) {
+  for (const double z : {1e12, 1e20, 1e40, 1e300})
+    EXPECT_GT(family().stages_for(z), family().most_stages) << z;
+}
+
 TEST_P(EveryFamily, IsStableUpToBeta) {
   for (const int s : stage_counts(family())) {
     const ThreeTermScheme scheme = family().scheme(s);

@@ -41,12 +41,16 @@ void Driver::prepare(Rhs& rhs, const Plan& plan) {
   spans_are_known_ = !plan_.spans.empty();
   if (plan_.spans.empty())  // until `start` finds them: those of the declared ranges
     for (const auto& range : plan.ranges) plan_.spans.push_back(range.span() > 0 ? range.span() : 1);
-  const double tolerance = plan.settle_tolerance > 0
-                               ? std::max(plan.settle_tolerance, settling_part_of_tolerance * method_->rtol())
-                               : 0;
-  settling_.prepare(rhs, tolerance, plan_.spans.front());
+  prepare_settling();
   rhs.ask_accuracy(rhs_part_of_tolerance * method_->rtol());
   prepare_method(rhs);
+}
+
+void Driver::prepare_settling() {
+  const double tolerance = plan_.settle_tolerance > 0 ? std::max(plan_.settle_tolerance,
+                                                                 settling_part_of_tolerance * method_->rtol())
+                                                      : 0;
+  settling_.prepare(*whole_, tolerance, plan_.spans.front(), plan_.spans.back(), plan_.output_times.back());
 }
 
 void Driver::prepare_method(Rhs& rhs) {
@@ -114,7 +118,7 @@ void Driver::start(double t, std::span<const double> y) {
   lawless_ = 0;
   method_->reset_counts();
   settling_.restart();
-  budget_.restart();
+  budget_.restart(task_.propagations);
   const OnPieces pieces(*whole_);
   begin_run_of(*whole_);
   update_statistics();
@@ -125,6 +129,7 @@ void Driver::find_spans_once(double t, std::span<const double> y) {
   if (spans_are_known_ || !(method_->rtol() > 0)) return;
   plan_.spans = find_spans(*whole_, plan_, t, y).spans;
   spans_are_known_ = true;
+  prepare_settling();
   prepare_method(*whole_);
 }
 

@@ -37,6 +37,7 @@ class Driver {
   [[nodiscard]] std::optional<double> settled_at() const noexcept { return settled_at_; }
 
  private:
+  void prepare_settling();
   void prepare_method(Rhs& rhs);
   void find_spans_once(double t, std::span<const double> y);
   [[nodiscard]] std::vector<double> allowed_errors(const Rhs& rhs) const;

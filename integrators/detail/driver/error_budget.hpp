@@ -2,6 +2,7 @@
 /// The tolerance of a run, shared out among its steps.
 
 #include <algorithm>
+#include <cstddef>
 
 namespace superstep {
 
@@ -10,7 +11,12 @@ namespace superstep {
 /// is left is divided by the time that is left.
 class ErrorBudget {
  public:
-  void restart() noexcept { spent_ = 0; }
+  ///   pieces  between breakpoints: where inputs repeat, every piece errs anew, and nothing need decay
+  void restart(std::size_t pieces) noexcept {
+    constexpr double few = 20;
+    spent_ = 0;
+    smallest_part_ = smallest_part * std::min(1.0, few / static_cast<double>(pieces));
+  }
 
   /// Error that a step of length h may have.
   ///   share      what the method asks for;  remaining  time to the end of the run, h included [same unit]
@@ -18,7 +24,7 @@ class ErrorBudget {
     const double left = std::max(0.0, whole - spent_);
     if (left >= 0.5 * whole) return std::min(share, 0.25 * whole);
     const double part = remaining > 0 ? std::min(1.0, h / remaining) : 1.0;
-    return std::clamp(left * part, smallest_part * share, share);
+    return std::clamp(left * part, smallest_part_ * share, share);
   }
   void spend(double error) noexcept { spent_ += error; }
   [[nodiscard]] double spent() const noexcept { return spent_; }
@@ -26,7 +32,7 @@ class ErrorBudget {
  private:
   static constexpr double whole = 4;  // estimates, of which some part decays
   static constexpr double smallest_part = 0.02;
-  double spent_ = 0;
+  double spent_ = 0, smallest_part_ = smallest_part;
 };
 
 }  // namespace superstep

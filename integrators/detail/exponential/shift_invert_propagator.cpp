@@ -14,10 +14,13 @@ namespace {
 constexpr std::size_t most_vectors = 120;  // fifty serve two decades to 1e-10
 constexpr double safety = 3;  // over what the last two vectors changed: spectra of every kind were within
 
-Outcome no_memory() {
-  return {Status::failed,
-          "C + gamma K could not be factorized or solved with: out of memory; use "
-          "basis=chebyshev"};
+constexpr double contracting = 0.5;  // corrections of a solution that can be corrected
+
+Outcome no_factor() {
+  return {
+      Status::failed,
+      "C + gamma K could not be factorized: it is singular to working precision, as it becomes where t_end "
+      "is long beside the fastest exchange, or memory is short; take cvode"};
 }
 
 }  // namespace
@@ -45,10 +48,20 @@ bool ShiftInvertPropagator::solve(std::span<const double> v, StateVector& out) {
   if (!solver_->solve(v, out, 0)) return false;
   if (!refines_) return true;
   // By differences of neighbours: what an assembled diagonal has lost of small capacities is still there.
-  rhs().linear_stage({.y1 = out.data(), .a = -1, .d = projection_.pole(), .y0 = v.data(), .c = 1}, work_);
-  if (!solver_->solve(work_, correction_, 0)) return false;
-  for_each_entry(out.size(), [&](std::size_t i) { out[i] += correction_[i]; });
-  return true;
+  constexpr double found = 1e-9;  // of v, which nothing makes larger
+  const double whole = dot(v, v);
+  constexpr int most_rounds = 12;
+  double before = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    rhs().linear_stage({.y1 = out.data(), .a = -1, .d = projection_.pole(), .y0 = v.data(), .c = 1}, work_);
+    if (!solver_->solve(work_, correction_, 0)) return false;
+    for_each_entry(out.size(), [&](std::size_t i) { out[i] += correction_[i]; });
+    const double size = dot(correction_, correction_);
+    if (!(size > found * found * whole)) return true;
+    if (round > 0 && size > contracting * contracting * before) return false;
+    before = size;
+  }
+  return false;
 }
 
 /// basis_[0] = p, found as an implicit Euler step: f at its smooth end has none of the rounding that f at a
@@ -65,16 +78,22 @@ bool ShiftInvertPropagator::find_first_step() {
   if (!solver_->solve(work_, correction_, 0)) return false;
   add(correction_, pole);
   constexpr double harmless = 1e-3;  // part of the tolerance
-  constexpr int most_rounds = 3;
-  for (int round = 0; round < most_rounds; ++round) {
+  constexpr int most_rounds = 12;
+  double before = 0;
+  for (int round = 0;; ++round) {
     for_each_entry(p.size(), [&](std::size_t i) { end[i] = origin()[i] + p[i]; });
     rhs().stage(now(), {.y1 = end.data(), .a = -1, .d = pole, .y0 = origin().data(), .c = 1}, work_);
     if (!solver_->solve(work_, correction_, 0)) return false;
     add(correction_, 1);
-    if (std::sqrt(dot(correction_, correction_)) * rms_over_norm() <= harmless * allowed()) break;
+    const double size = std::sqrt(dot(correction_, correction_));
+    if (size * rms_over_norm() <= harmless * allowed()) return true;
+    // Corrections end at the roundings of the values; where the matrix hides what is slow they never shrink.
+    constexpr double rounding = 1e-6;  // of the step
+    if (round > 0 && size > contracting * before) return size <= rounding * std::sqrt(dot(p, p));
+    if (round == most_rounds) return true;
     refines_ = true;
+    before = size;
   }
-  return true;
 }
 
 bool ShiftInvertPropagator::open_space() {
@@ -156,7 +175,7 @@ Outcome ShiftInvertPropagator::grow(std::span<const Output> outputs) {
     if (projection_.dimension() >= most_vectors)
       return {Status::failed,
               fmt::format("{} solves did not reach the tolerance; use basis=chebyshev", most_vectors)};
-    if (!add_vector()) return no_memory();
+    if (!add_vector()) return no_factor();
   }
   count_terms(projection_.dimension());
   return stop_requested() ? interrupted_at(now()) : Outcome{};
@@ -202,7 +221,7 @@ Outcome ShiftInvertPropagator::propagate(std::span<Output> outputs) {
   give_up_bound();
   while (!outputs.empty()) {
     const auto served = serve(outputs);
-    if (served.empty()) return no_memory();
+    if (served.empty()) return no_factor();
     if (Outcome outcome = grow(served); !outcome.ok()) return outcome;
     evaluate(served);
     outputs = outputs.subspan(served.size());

@@ -9,6 +9,7 @@
 #include <new>
 #include <utility>
 
+#include "integrators/detail/driver/run_guard.hpp"
 #include "integrators/detail/gauss_points.hpp"
 #include "integrators/detail/implicit/shifted_solver.hpp"
 #include "integrators/detail/share_of_a_step.hpp"
@@ -17,7 +18,7 @@
 namespace superstep {
 namespace {
 
-const SundialsPropagator& propagator_of(void* data) {
+SundialsPropagator& propagator_of(void* data) {
   return *static_cast<SundialsPropagator*>(static_cast<SundialsCallbackData*>(data)->integrator);
 }
 
@@ -56,6 +57,7 @@ void SundialsPropagator::begin_anew(std::span<const double> y) {
 }
 
 void SundialsPropagator::take_counts(const PackageCounts& counts) {
+  evaluations_ = 0;
   counts_.steps = before_restart_.steps + static_cast<std::uint64_t>(counts.steps);
   counts_.rejected = before_restart_.rejected + static_cast<std::uint64_t>(counts.rejected);
   counts_.factorizations = before_restart_.factorizations + static_cast<std::uint64_t>(counts.setups);
@@ -75,7 +77,25 @@ void SundialsPropagator::show(N_Vector values) {
   std::copy(entries.begin(), entries.end(), state_.begin());
 }
 
+/// The package's iteration may go round for ever, where numbers are so large or small that their quotients
+/// are none.
+bool SundialsPropagator::is_lost() noexcept {
+  constexpr std::uint64_t most_evaluations = 100'000;  // in a step, which needs some hundreds
+  lost_ = ++evaluations_ > most_evaluations;
+  return lost_ || is_to_stop();
+}
+
+/// Processes that share a run agree between steps.
+bool SundialsPropagator::is_to_stop() const noexcept {
+  return !rhs_->reduction().among() && plan_->stop && plan_->stop->load(std::memory_order_relaxed);
+}
+
 Outcome SundialsPropagator::failure(const char* package, double t, int flag) const {
+  if (is_to_stop()) return interrupted_at(t);
+  if (lost_)
+    return {Status::failed,
+            fmt::format("{} finds no solution of its equations at t = {:.6g} s; take another method", package,
+                        t)};
   return {Status::failed,
           fmt::format("{} stopped at t = {:.6g} s with flag {}: {}", package, t, flag, message_)};
 }
@@ -101,6 +121,8 @@ void SundialsPropagator::record_taylor(double t, int order, ProbeHistory& histor
 }
 
 int SundialsPropagator::derivative(double t, N_Vector y, N_Vector ydot, void* data) noexcept {
+  SundialsPropagator& method = propagator_of(data);
+  if (method.is_lost()) return -1;
   (*static_cast<SundialsCallbackData*>(data)->rhs)(t, sundials::entries(y), sundials::entries(ydot));
   return 0;
 }

@@ -77,6 +77,11 @@ class SundialsPropagator : public Propagator {
   bool has_history_ = false;
 
  private:
+  [[nodiscard]] bool is_lost() noexcept;
+  [[nodiscard]] bool is_to_stop() const noexcept;
+
+  std::uint64_t evaluations_ = 0;  // of f in the step at hand
+  bool lost_ = false;
   ErrorNorm norm_;
   std::vector<double> taylor_;
   std::string message_;

@@ -51,6 +51,15 @@ std::vector<std::string> range_warnings(const Scene& scene) {
     if (packed.neck_report.limited > 0)
       out.push_back(limited_necks_warning(packed.neck_report.limited, packed.contacts.size()));
   }
+  if (scene.rhs && !scene.output_times.empty()) {
+    constexpr double many = 1e14;  // the roundings of so many exchanges are a per cent
+    const double exchanges = scene.output_times.back() * scene.rhs->spectral_bound(0, scene.initial);
+    if (exchanges > many)
+      out.push_back(
+          fmt::format("t_end is {:.2g} times as long as the fastest exchange takes; roundings may hide "
+                      "what is slow: look at the answer with --verify",
+                      exchanges));
+  }
   for (const auto& field : scene.fields)
     if (field.floating_clusters > 0 && !field.steady && field.graph.convection.empty() &&
         field.graph.radiation.empty())
