@@ -305,6 +305,7 @@ void CaseBench::finish(BenchCase& out) {
   for (auto& contender : contenders_)
     if (contender.verified) out.rows.push_back(std::move(contender.row));
   compare_with_baseline(out);
+  warn_of_untold_tolerances(out);
 }
 
 }  // namespace

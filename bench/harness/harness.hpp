@@ -43,6 +43,8 @@ struct HarnessOptions {
 [[nodiscard]] BenchRow begin_row(const BenchCase& one, const std::string& spec, int threads);
 /// Speedups of all timed rows over the baseline, when that was timed.
 void compare_with_baseline(BenchCase& one);
+/// Names the methods of which the reference can not tell whether they keep their tolerance.
+void warn_of_untold_tolerances(BenchCase& one);
 /// `numerator / denominator`; empty unless both are > 0.
 [[nodiscard]] Number quotient(double numerator, double denominator);
 

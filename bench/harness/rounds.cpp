@@ -1,11 +1,15 @@
 /// What every benchmark shares, whatever it measures: who takes part, in which order, within which limits;
 /// what repetitions come to; speedups.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "bench/harness/harness.hpp"
 #include "core/median.hpp"
 #include "core/text/options.hpp"
+#include "integrators/method_spec.hpp"
 #include "integrators/registry.hpp"
 
 namespace superstep {
@@ -59,6 +63,22 @@ void compare_with_baseline(BenchCase& one) {
       row.speedup_prepared = quotient(*baseline.cpu_prepare + baseline.cpu_stepping->median,
                                       *row.cpu_prepare + row.cpu_stepping->median);
   }
+}
+
+void warn_of_untold_tolerances(BenchCase& one) {
+  const auto untold = [](const FieldErrors& errors) {
+    return errors.rms && errors.span.value_or(0) > 0 && !errors.delivered;
+  };
+  std::vector<std::string> specs;
+  for (const auto& row : one.rows)
+    if (row.ok() && MethodSpec(row.spec).rtol() > 0 &&
+        (untold(row.errors) || (row.potential && untold(*row.potential))))
+      specs.push_back(row.spec);
+  if (specs.empty() || !one.reference) return;
+  one.warnings.push_back(
+      fmt::format("the reference {} is not known well enough to tell whether {} {} the tolerance asked for; "
+                  "give a tighter --reference, or none",
+                  one.reference->spec, fmt::join(specs, ", "), specs.size() == 1 ? "keeps" : "keep"));
 }
 
 RunLimits limits_of_reference(const RunLimits& limits) {

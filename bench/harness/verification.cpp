@@ -14,6 +14,8 @@
 namespace superstep {
 namespace {
 
+constexpr double times_tolerance = 10;  // a method whose error is more than so many tolerances is inaccurate
+
 void keep_larger(Number& kept, double value) {
   kept = std::max(kept.value_or(0.0), value);
 }
@@ -77,8 +79,14 @@ double allowed_error(const Scene& scene, const FieldView& field, double rtol, do
 
 }  // namespace
 
+Number delivered_error(double rms, double bar, double allowed) {
+  const double limit = times_tolerance * allowed;
+  const bool told = rms + bar <= limit || rms - bar > limit;
+  return told ? Number(rms / allowed) : std::nullopt;
+}
+
 void judge(const FieldErrors& errors, const std::string& field, const std::string& unit, Outcome& outcome) {
-  constexpr double part_of_span = 0.1, times_tolerance = 10;
+  constexpr double part_of_span = 0.1;
   if (!errors.span || !(*errors.span > 0)) return;
   if (errors.relative_rms && *errors.relative_rms > part_of_span)
     outcome = {Status::inaccurate,
@@ -153,7 +161,9 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const MethodSpec
     errors.balance = balance_of(scene, f, outputs.last(), *reference);
     errors.reference_error = reference->error_bar[f];
     if (span > 0) errors.relative_rms = *errors.rms / span;
-    if (span > 0 && rtol > 0) errors.delivered = *errors.rms / allowed_error(scene, fields[f], rtol, span);
+    if (span > 0 && rtol > 0)
+      errors.delivered =
+          delivered_error(*errors.rms, reference->error_bar[f], allowed_error(scene, fields[f], rtol, span));
     const ProbeColumn* probe = probes.first_in(fields[f].name);
     if (probe)
       measure_probe_errors(run.history, reference->history, static_cast<std::size_t>(probe->slot),

@@ -29,6 +29,12 @@ struct Verification {
                                   const Reference* reference, const std::atomic<bool>* stop,
                                   Progress* progress, const RunLimits& limits = {});
 
+/// What a method delivered over what was asked for [-]; empty where the reference is not known well enough to
+/// tell whether that is within ten times the tolerance.
+///   rms      distance to the reference; bar  by how much the reference itself may be off; allowed  what was
+///            asked for: all in the unit of the field
+[[nodiscard]] Number delivered_error(double rms, double bar, double allowed);
+
 /// An error that nobody should take for a result makes the outcome `inaccurate`.
 ///   unit  of the field
 void judge(const FieldErrors& errors, const std::string& field, const std::string& unit, Outcome& outcome);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bench/harness/verification.hpp"
 #include "core/stopwatch.hpp"
@@ -74,14 +75,21 @@ void measure(Lane& lane, const std::vector<double>& exact) {
   raise(lane.errors.max, largest);
 }
 
-/// `span` [K]: range of all temperatures in the run.
-void judge(Lane& lane, double span) {
+/// How far the reference may be off, over the span; infinite where it keeps no tolerance.
+double bar_of(const std::string& reference) {
+  const double rtol = MethodSpec(reference).rtol();
+  // No solution is better known than twice the tolerance that it was computed with.
+  return rtol > 0 ? 2 * rtol : std::numeric_limits<double>::infinity();
+}
+
+/// `span` [K]: range of all temperatures in the run; `bar` [-]: of the reference.
+void judge(Lane& lane, double span, double bar) {
   FieldErrors& errors = lane.errors;
   if (!lane.outcome.ok() || !errors.rms || !(span > 0)) return;
   errors.span = span;
   errors.relative_rms = *errors.rms / span;
   if (const double rtol = MethodSpec(lane.spec).rtol(); rtol > 0)
-    errors.delivered = *errors.relative_rms / rtol;
+    errors.delivered = delivered_error(*errors.relative_rms, bar, rtol);
   judge(errors, "temperature", "K", lane.outcome);
 }
 
@@ -162,10 +170,11 @@ BenchCase bench_thermal_lanes(const Press& one, double cpu_setup, const HarnessO
   }
   for (auto& lane : lanes) {
     if (!outcome.ok() && lane.outcome.ok()) lane.outcome = outcome;
-    judge(lane, high - low);
+    judge(lane, high - low, referenced ? bar_of(reference) : 0);
     result.rows.push_back(row_of(result, lane, options));
   }
   compare_with_baseline(result);
+  warn_of_untold_tolerances(result);
   result.warnings.push_back(
       fmt::format("every method starts anew after each of the {} contact updates; its preparation is part of "
                   "its stepping",

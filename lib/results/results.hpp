@@ -26,7 +26,9 @@ struct FieldErrors {
   /// Mean, k [1/s] and R2 at the probe by the rule of a published table: see SampledMeasure.
   Number published_mean, published_rate, published_r2;
   Number span;  ///< largest minus smallest value over all nodes and the whole run: what tolerances refer to
-  Number delivered;  ///< rms over what was asked for, rtol times the span [-]; empty where nothing was
+  /// rms over what was asked for, rtol times the span [-]; empty where nothing was, or the reference cannot
+  /// tell.
+  Number delivered;
   Number distance_to_cvode;  ///< rms over the span, worst over the output times [-]
 };
 

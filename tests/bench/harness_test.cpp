@@ -118,6 +118,20 @@ TEST_F(RodBench, AFailingReferenceIsAWarningAndTimingsRemain) {
   EXPECT_EQ(one.rows[0].reference, "");
 }
 
+TEST_F(RodBench, AReferenceThatErrsIsHeldAgainstNoMethod) {
+  options_.reference = "forward-euler";
+  options_.integrators = {"exponential:rtol=1e-10", "cvode:rtol=0.1"};
+  const BenchCase one = bench();
+  const BenchRow &exact = row(one, "exponential:rtol=1e-10"), &loose = row(one, "cvode:rtol=0.1");
+  EXPECT_EQ(exact.status, "ok") << exact.reason;
+  EXPECT_FALSE(exact.errors.delivered);
+  EXPECT_TRUE(loose.errors.delivered);
+  ASSERT_EQ(one.warnings.size(), 1U);
+  EXPECT_EQ(one.warnings[0],
+            "the reference forward-euler is not known well enough to tell whether exponential:rtol=1e-10 "
+            "keeps the tolerance asked for; give a tighter --reference, or none");
+}
+
 TEST_F(RodBench, TheSecondBenchTakesTheReferenceFromTheCache) {
   options_.repetitions = 1;
   EXPECT_FALSE(bench().reference.value().from_cache);

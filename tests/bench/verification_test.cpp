@@ -53,6 +53,14 @@ TEST(Judge, FarOffIsInaccurate) {
   EXPECT_NE(outcome.reason.find("20 %"), std::string::npos) << outcome.reason;
 }
 
+TEST(Judge, AnErrorThatTheReferenceMayHaveMadeIsNoVerdict) {
+  // Ten times the tolerance is the limit: 1 here.
+  EXPECT_DOUBLE_EQ(delivered_error(0.5, 0.4, 0.1).value(), 5) << "within the limit, however far it is off";
+  EXPECT_DOUBLE_EQ(delivered_error(2, 0.9, 0.1).value(), 20) << "beyond it, however far it is off";
+  EXPECT_FALSE(delivered_error(1.5, 0.9, 0.1)) << "the method may be right";
+  EXPECT_FALSE(delivered_error(0, 5, 0.1)) << "the method may be as wrong as the reference";
+}
+
 class RodVerification : public testing::Test {
  protected:
   Verification of(const std::string& spec) {

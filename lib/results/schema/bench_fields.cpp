@@ -45,7 +45,8 @@ RecordFields<FieldErrors> later_errors() {
       field("span", &FieldErrors::span,
             "K or V; largest minus smallest value of the field over all nodes and the whole run"),
       field("delivered", &FieldErrors::delivered,
-            "error_rms over what was asked for, rtol times the span; empty for fixed steps"),
+            "error_rms over what was asked for, rtol times the span; empty for fixed steps, and where the "
+            "reference cannot tell"),
       field("distance_to_cvode", &FieldErrors::distance_to_cvode,
             "rms distance to CVODE over the span, worst over the output times"),
   };
