@@ -208,6 +208,7 @@ int execute(const BenchCommand& command) {
   for (const auto& one : cases)
     if (const auto* press = std::get_if<Press>(&one.content); press && !report.interrupted)
       bench_motion(command, *press, folder, progress);
+  if (!quiet && report.interrupted) note("interrupted: only what had been measured by then is written");
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
   renew_report(folder, command.report, quiet);
   if (report.interrupted) return interrupted_exit_code;

@@ -8,9 +8,18 @@
 namespace superstep {
 namespace {
 
+/// Below its error bar a reference cannot tell how large an error is.
+bool can_be_told(const BenchRow& row, double level) {
+  const auto known = [&](const FieldErrors& errors) {
+    return !errors.reference_error || *errors.reference_error <= level * errors.span.value_or(0) ||
+           !(errors.span.value_or(0) > 0);
+  };
+  return known(row.errors) && (!row.potential || known(*row.potential));
+}
+
 bool within(const BenchRow& row, double level) {
   const auto error = relative_error(row);
-  return row.ok() && error && *error <= level;
+  return row.ok() && error && *error <= level && can_be_told(row, level);
 }
 
 /// The fastest repetition of one is no slower than the slowest of the other.
@@ -56,6 +65,18 @@ std::string lead_text(const BenchCase& one, const BenchRow& best, double level) 
   return out;
 }
 
+/// Why no method is the fastest with an error up to `level`.
+std::string nobody_text(const BenchCase& one, double level) {
+  const auto any = [&](const auto& of) { return std::any_of(one.rows.begin(), one.rows.end(), of); };
+  const double percent = 100 * level;
+  if (any([&](const BenchRow& row) { return within(row, level); }))
+    return fmt::format("No method that kept its error below {:g} % of the span was timed.", percent);
+  if (any([&](const BenchRow& row) { return row.ok() && !can_be_told(row, level); }))
+    return fmt::format("The reference cannot tell which method kept its error below {:g} % of the span.",
+                       percent);
+  return fmt::format("No method kept its error below {:g} % of the span.", percent);
+}
+
 }  // namespace
 
 Number prepared_cpu(const BenchRow& row) {
@@ -79,6 +100,11 @@ const BenchRow* fastest_within(const BenchCase& one, double level) {
 }
 
 std::string answer_text(const BenchCase& one) {
+  const auto any = [&](const auto& of) { return std::any_of(one.rows.begin(), one.rows.end(), of); };
+  if (any([](const BenchRow& row) { return row.ok(); }) &&
+      !any([](const BenchRow& row) { return prepared_cpu(row).has_value(); }))
+    return "No method was timed, so that none is the fastest.";
+  if (!any([](const BenchRow& row) { return relative_error(row).has_value(); })) return "";
   std::string out;
   for (const double level : {1e-3, 1e-2, 1e-1}) {
     if (const BenchRow* best = fastest_within(one, level))
@@ -86,11 +112,9 @@ std::string answer_text(const BenchCase& one) {
                        "Fastest with an error below {:g} % of the span: {} takes {:.3g} s of CPU, "
                        "preparation included{}.",
                        100 * level, best->spec, *prepared_cpu(*best), lead_text(one, *best, level));
-    if (out.empty()) out = fmt::format("No method kept its error below {:g} % of the span. ", 100 * level);
+    if (out.empty()) out = nobody_text(one, level) + " ";
   }
-  const bool measured = std::any_of(one.rows.begin(), one.rows.end(),
-                                    [](const auto& row) { return relative_error(row).has_value(); });
-  return measured ? "No method kept its error below 10 % of the span." : "";
+  return nobody_text(one, 1e-1);
 }
 
 }  // namespace superstep

@@ -71,6 +71,26 @@ TEST(Answer, SaysWhichCannotBeToldApart) {
   EXPECT_NE(text.find("; auto cannot be told apart from it in this run."), std::string::npos) << text;
 }
 
+TEST(Answer, AnInterruptedBenchHasTimedNothingRatherThanBeenInaccurate) {
+  auto euler = row("forward-euler", 8, 1e-4), rkc = row("rkc", 2, 5e-3);
+  euler.cpu_stepping.reset();
+  EXPECT_EQ(
+      answer_text(bench({euler, rkc})),
+      "No method that kept its error below 0.1 % of the span was timed. Fastest with an error below 1 % "
+      "of the span: rkc takes 2 s of CPU, preparation included.");
+  rkc.cpu_stepping.reset();
+  EXPECT_EQ(answer_text(bench({euler, rkc})), "No method was timed, so that none is the fastest.");
+}
+
+TEST(Answer, DoesNotClaimWhatTheReferenceCannotTell) {
+  auto rkc = row("rkc", 2, 1e-5);
+  rkc.errors.span = 100;
+  rkc.errors.reference_error = 0.5;
+  EXPECT_EQ(answer_text(bench({rkc})),
+            "The reference cannot tell which method kept its error below 0.1 % of the span. Fastest with an "
+            "error below 1 % of the span: rkc takes 2 s of CPU, preparation included.");
+}
+
 TEST(ResultsTable, IsSortedByCpuWithPreparationAndEndsInTheAnswer) {
   const auto one =
       bench({row("forward-euler", 8, 1e-4), row("exponential", 1, 1e-5, 5), row("rkc", 2, 5e-4)});
