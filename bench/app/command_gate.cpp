@@ -90,7 +90,9 @@ CommandEntry gate_command() {
   return {.name = "gate",
           .does = "is this build as good as a recorded one? exit 0 yes, 5 no, 6 cannot tell",
           .examples =
-              "  superstep bench cases/nial_thermal.toml --repetitions 11 --out result\n"
+              "  superstep bench cases/nial_thermal.toml --integrator rkc sts:n=20,nu=1e-3 --repetitions 11 "
+              "--out "
+              "result\n"
               "  superstep gate result --baseline reports/baselines/nial_thermal.json",
           .positional = "RESULTS",
           .positional_meaning = "results.json of superstep bench, or its folder",

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/median.hpp"
 #include "core/text/quantity.hpp"
 
 namespace superstep {
@@ -32,12 +31,16 @@ class Judge {
           "CPU times are not judged: processor, flags or threads differ ('{}', '{}', {} against "
           "'{}', '{}', {}).",
           now_.processor, now_.flags, now_.threads, baseline_.processor, baseline_.flags, baseline_.threads));
-    for (const auto* file : {&now_, &baseline_})
+    for (const auto* file : {&now_, &baseline_}) {
+      if (file->interrupted)
+        report_.notes.push_back(
+            fmt::format("'{}' was interrupted: what had been measured by then is judged.", file->path));
       if (!file->has_samples()) {
         measured_ = false;
         report_.notes.push_back(
             fmt::format("Nothing was measured: no method in '{}' was timed.", file->path));
       }
+    }
     for (const auto& before : baseline_.cases) judge_case(before);
     for (const auto& one : now_.cases)
       if (!baseline_.find(one.name))
@@ -135,26 +138,31 @@ class Judge {
     const GateVerdict untold = counted ? GateVerdict::not_judged : GateVerdict::inconclusive;
     const std::string what = before.spec == case_before.baseline ? "CPU in yardsticks" : "CPU to baseline";
     const auto a = relative_timings(case_before, before), b = relative_timings(case_now, now);
-    const std::size_t rounds = std::min(a.rounds(), b.rounds());
-    if (rounds < limits_.rounds)
-      return add(what, quantity(a.rounds(), "round"), quantity(b.rounds(), "round"), GateVerdict::not_judged);
-    double shortest = median_of(a.work);
-    for (const auto* times : {&a.yardstick, &b.work, &b.yardstick})
-      shortest = std::min(shortest, median_of(*times));
-    if (shortest < limits_.shortest)
-      return add(what, "", fmt::format("{:.2g} s is too short to judge", shortest), GateVerdict::not_judged);
-    for (const auto* timings : {&a, &b})
-      if (const auto itself = against_itself(*timings);
-          itself.above(limits_.slower) || itself.below(1 / limits_.slower))
-        return add(what, timings == &a ? "A/A " + text_of(itself) : "",
-                   timings == &b ? "A/A " + text_of(itself) : "", untold);
+    if (const auto doubt = doubt_about(a, b, limits_.timing)) return add_doubt(what, a, b, *doubt, untold);
     const auto ratio = slowdown(b, a);
-    const bool sure = ratio.below(limits_.unsure) && ratio.estimate <= limits_.slower;
-    const GateVerdict verdict = ratio.above(limits_.slower)       ? GateVerdict::regressed
-                                : !sure                           ? untold
-                                : ratio.below(1 / limits_.slower) ? GateVerdict::better
-                                                                  : GateVerdict::passed;
+    const double slower = limits_.timing.slower;
+    const bool sure = ratio.below(limits_.unsure) && ratio.estimate <= slower;
+    const GateVerdict verdict = ratio.above(slower)       ? GateVerdict::regressed
+                                : !sure                   ? untold
+                                : ratio.below(1 / slower) ? GateVerdict::better
+                                                          : GateVerdict::passed;
     add(what, "x 1", text_of(ratio), verdict);
+  }
+
+  void add_doubt(const std::string& what, const PairedTimings& before, const PairedTimings& now,
+                 const TimingDoubt& doubt, GateVerdict untold) {
+    using enum TimingDoubt::Kind;
+    if (doubt.kind == too_few_rounds) {
+      // The recorded build was timed long enough, and this one would have been.
+      const bool cut_off = now_.interrupted && before.rounds() >= limits_.timing.rounds;
+      add(what, quantity(before.rounds(), "round"), quantity(now.rounds(), "round"),
+          cut_off ? untold : GateVerdict::not_judged);
+    } else if (doubt.kind == too_short) {
+      add(what, "", fmt::format("{:.2g} s is too short to judge", doubt.shortest), GateVerdict::not_judged);
+    } else {
+      const std::string itself = "A/A " + text_of(doubt.itself);
+      add(what, doubt.of == &before ? itself : "", doubt.of == &now ? itself : "", untold);
+    }
   }
 
   static std::string shown(const std::optional<double>& value) {
@@ -171,13 +179,14 @@ class Judge {
   void conclude() {
     if (!not_measured_.empty())
       report_.notes.push_back(
-          fmt::format("Not measured here, so not judged: {}.", fmt::join(not_measured_, ", ")));
+          fmt::format("Not measured here, so that nobody can tell: {}.", fmt::join(not_measured_, ", ")));
     const auto any = [&](GateVerdict verdict) {
       return std::any_of(report_.findings.begin(), report_.findings.end(),
                          [&](const auto& finding) { return finding.verdict == verdict; });
     };
     report_.verdict = any(GateVerdict::regressed) ? GateVerdict::regressed
-                      : any(GateVerdict::inconclusive) || report_.passed == 0 || !(measured_ || counted_)
+                      : any(GateVerdict::inconclusive) || !not_measured_.empty() || report_.passed == 0 ||
+                              !(measured_ || counted_)
                           ? GateVerdict::inconclusive
                           : GateVerdict::passed;
     if (any(GateVerdict::better))

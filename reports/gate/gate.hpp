@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reports/gate/results_file.hpp"
+#include "reports/gate/timing_rule.hpp"
 
 namespace superstep {
 
@@ -17,10 +18,8 @@ struct GateLimits {
   double errors = 0.05;             ///< larger error, relative, beyond the reference's own error bar
   double balance = 1e-6;            ///< heat balance [-] that is never worth a word
   double instructions = 0.005;      ///< more instructions, relative
-  double slower = 1.05;             ///< clearly slower: the whole interval lies above this
-  double unsure = 1.10;     ///< clearly not slower: the interval lies below this, its estimate below `slower`
-  std::size_t rounds = 6;   ///< timings of fewer rounds are not judged
-  double shortest = 0.005;  ///< s, shorter timings are not judged
+  TimingLimits timing;              ///< what times must be like to be judged, and what is slower
+  double unsure = 1.10;  ///< clearly not slower: the interval lies below this, its estimate below `slower`
 };
 
 enum class GateVerdict { passed, better, not_judged, inconclusive, regressed };
@@ -42,6 +41,7 @@ struct GateReport {
 
 /// Judges `now` against `baseline`: statuses, counters, errors, and CPU times where both come from the same
 /// kind of processor, build flags and number of threads. First each set of timings is compared with itself.
+/// What was not measured cannot be told, and is no regression.
 ///   is_adaptive  of an integrator's name
 [[nodiscard]] GateReport judge(const ResultsFile& now, const ResultsFile& baseline,
                                const std::function<bool(const std::string&)>& is_adaptive,

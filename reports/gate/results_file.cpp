@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
@@ -25,12 +27,18 @@ std::vector<double> times_of(const JsonObject& row, const char* key) {
   return times;
 }
 
-/// A method that ran has counted something: a file in which it has not is no measurement to compare with.
-void require_counters(const JsonObject& json, const MeasuredRow& row) {
-  if (row.status != "ok") return;
-  for (const char* counter : counter_columns)
-    if (row.number(counter)) return;
-  json.reject("steps", "a method that is ok must have counters, to be judged by them");
+/// A method that ran has counted something.
+bool has_counters(const MeasuredRow& row) {
+  return std::any_of(std::begin(counter_columns), std::end(counter_columns),
+                     [&](const char* counter) { return row.number(counter).has_value(); });
+}
+
+/// False for a method that the interrupt came before; where there was none, a method that is ok and has
+/// counted nothing is no measurement to compare with.
+bool was_reached(const JsonObject& json, const MeasuredRow& row, bool interrupted) {
+  if (row.status != "ok" || has_counters(row)) return true;
+  if (!interrupted) json.reject("steps", "a method that is ok must have counters, to be judged by them");
+  return false;
 }
 
 MeasuredRow row_of(const JsonObject& json) {
@@ -45,7 +53,6 @@ MeasuredRow row_of(const JsonObject& json) {
     for (const char* field : {"", "_potential"}) (void)json.number(std::string(error) + field);
   for (const auto& [key, value] : json.json().items())
     if (value.is_number()) row.numbers[key] = value.get<double>();
-  require_counters(json, row);
   row.cpu_stepping = times_of(json, "cpu_stepping_samples_s");
   row.yardstick = times_of(json, "yardstick_samples_s");
   return row;
@@ -69,13 +76,16 @@ ResultsFile read_from(const std::string& path) {
     }
   }
   file.threads = json.count<int>("threads").value_or(1);
+  file.interrupted = json.flag("interrupted");
   if (!json.find("cases")) json.reject("cases", "it must list what was measured");
   for (const auto& entry : json.objects("cases")) {
     MeasuredCase one{required(entry, "case"), required(entry, "baseline"), {}};
     if (file.find(one.name))
       entry.reject("case", "another case of this file has the same name, and results go by it");
     if (!entry.find("rows")) entry.reject("rows", "it must list the methods");
-    for (const auto& row : entry.objects("rows")) one.rows.push_back(row_of(row));
+    for (const auto& object : entry.objects("rows"))
+      if (MeasuredRow row = row_of(object); was_reached(object, row, file.interrupted))
+        one.rows.push_back(std::move(row));
     file.cases.push_back(std::move(one));
   }
   return file;
@@ -130,8 +140,11 @@ PairedTimings relative_timings(const MeasuredCase& one, const MeasuredRow& row) 
   const bool is_baseline = baseline == &row;
   if (!is_baseline && !baseline) return {};
   const auto& yardstick = is_baseline ? row.yardstick : baseline->cpu_stepping;
-  if (row.cpu_stepping.size() != yardstick.size()) return {};
-  return {row.cpu_stepping, yardstick};
+  PairedTimings paired{row.cpu_stepping, yardstick};
+  const std::size_t rounds = std::min(paired.work.size(), paired.yardstick.size());
+  paired.work.resize(rounds);
+  paired.yardstick.resize(rounds);
+  return paired;
 }
 
 }  // namespace superstep

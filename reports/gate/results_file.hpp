@@ -38,6 +38,7 @@ struct ResultsFile {
   std::string path, revision, processor, flags;
   std::string counted_by;  ///< all that a count of instructions depends on; empty = none were counted
   int threads = 1;
+  bool interrupted = false;  ///< methods that had not been reached by then are left out
   std::vector<MeasuredCase> cases;
 
   [[nodiscard]] const MeasuredCase* find(const std::string& name) const;
@@ -53,7 +54,8 @@ struct ResultsFile {
 [[nodiscard]] ResultsFile read_results(const std::string& path);
 
 /// The method's CPU time of stepping in units of the case's baseline method, round by round; the baseline
-/// method itself in units of the yardstick. Empty when it was not timed.
+/// method itself in units of the yardstick. Of the rounds that both have: an interrupt comes between two
+/// methods. Empty when it was not timed.
 [[nodiscard]] PairedTimings relative_timings(const MeasuredCase& one, const MeasuredRow& row);
 
 }  // namespace superstep

@@ -213,16 +213,35 @@ TEST(Gate, AnotherProcessorIsNotJudgedByItsTimes) {
   EXPECT_EQ(gate(now, measured({}, 1)).verdict, GateVerdict::regressed) << "counters always count";
 }
 
-TEST(Gate, AMethodThatWasNotMeasuredIsNotJudged) {
+TEST(Gate, AMethodThatWasNotMeasuredCannotBeToldLikeACase) {
   const auto before = measured({}, 1);
   auto now = before;
   now.cases[0].rows.pop_back();
   const auto report = gate(now, before);
-  EXPECT_EQ(report.verdict, GateVerdict::passed);
+  EXPECT_EQ(report.verdict, GateVerdict::inconclusive);
   ASSERT_FALSE(report.notes.empty());
-  EXPECT_EQ(report.notes.back(), "Not measured here, so not judged: rkc:rtol=1e-4 on rod.");
+  EXPECT_EQ(report.notes.back(), "Not measured here, so that nobody can tell: rkc:rtol=1e-4 on rod.");
   now.cases[0].rows.clear();
   EXPECT_EQ(gate(now, before).verdict, GateVerdict::inconclusive) << "nothing was measured";
+}
+
+TEST(Gate, AnInterruptBetweenTwoMethodsCostsOneRoundAndIsSaid) {
+  const auto before = measured({}, 1);
+  auto now = measured({.rkc = 1.10}, 2);
+  now.interrupted = true;
+  now.cases[0].rows[1].cpu_stepping.pop_back();
+  now.cases[0].rows[1].yardstick.pop_back();
+  const auto report = gate(now, before);
+  EXPECT_TRUE(mentions(report, "CPU to baseline", GateVerdict::regressed)) << gate_markdown(report);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_EQ(report.notes[0], "'synthetic' was interrupted: what had been measured by then is judged.");
+}
+
+TEST(Gate, TimesThatAnInterruptCutShortCannotBeTold) {
+  auto now = measured({.rounds = 3}, 2);
+  EXPECT_EQ(gate(now, measured({}, 1)).verdict, GateVerdict::passed) << "nobody asked for more";
+  now.interrupted = true;
+  EXPECT_EQ(gate(now, measured({}, 1)).verdict, GateVerdict::inconclusive);
 }
 
 TEST(Gate, WhatFailsIsARegression) {
@@ -325,6 +344,28 @@ TEST(ResultsFile, ReadsBackWhatBenchWrites) {
   EXPECT_EQ(read->number("error_rms"), 1e-4);
   EXPECT_FALSE(read->number("error_max").has_value());
   EXPECT_EQ(relative_timings(*file.find("rod"), *read).yardstick, row.yardstick_samples);
+}
+
+TEST(ResultsFile, LeavesOutWhatTheInterruptCameBefore) {
+  BenchRow reached, not_reached;
+  reached.integrator = reached.spec = "rkc";
+  not_reached.integrator = not_reached.spec = "rkl";
+  reached.status = not_reached.status = "ok";
+  reached.steps = 7;
+  BenchCase one;
+  one.name = "rod";
+  one.baseline = "rkc";
+  one.rows = {reached, not_reached};
+  BenchReport report;
+  report.cases = {one};
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("results.json", results_json(report));
+  EXPECT_THROW((void)read_results(path), InputError);
+  report.interrupted = true;
+  folder.write("results.json", results_json(report));
+  const auto file = read_results(path);
+  EXPECT_TRUE(file.interrupted);
+  EXPECT_EQ(file.cases[0].rows.size(), 1U);
 }
 
 TEST(ResultsFile, RefusesWhatIsNoResult) {

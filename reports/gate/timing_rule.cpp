@@ -1,0 +1,33 @@
+#include "reports/gate/timing_rule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/median.hpp"
+
+namespace superstep {
+
+std::optional<TimingDoubt> doubt_about(const PairedTimings& before, const PairedTimings& now,
+                                       const TimingLimits& limits) {
+  using enum TimingDoubt::Kind;
+  if (std::min(before.rounds(), now.rounds()) < std::max<std::size_t>(limits.rounds, 2))
+    return TimingDoubt{.kind = too_few_rounds, .itself = {}};
+  double shortest = median_of(before.work);
+  for (const auto* times : {&before.yardstick, &now.work, &now.yardstick})
+    shortest = std::min(shortest, median_of(*times));
+  if (shortest < limits.shortest) return TimingDoubt{.kind = too_short, .shortest = shortest, .itself = {}};
+  for (const auto* timings : {&before, &now})
+    if (const auto itself = against_itself(*timings);
+        itself.above(limits.slower) || itself.below(1 / limits.slower))
+      return TimingDoubt{.kind = at_odds, .of = timings, .itself = itself};
+  return std::nullopt;
+}
+
+std::string timing_rule(const TimingLimits& limits) {
+  return fmt::format(
+      "Times can tell from {} rounds and {:g} ms on: give bench --repetitions {} or more, and longer runs.",
+      limits.rounds, 1e3 * limits.shortest, limits.rounds);
+}
+
+}  // namespace superstep
