@@ -1,8 +1,13 @@
 /// superstep gate and superstep compare: results against a recorded baseline, and against each other.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
@@ -49,6 +54,16 @@ std::string corpus_file(const std::string& path) {
   return fs::path(path).extension() == ".csv" && fs::is_regular_file(path, none) ? path : "";
 }
 
+/// Scenes of `here` that are not among those of `there`.
+std::vector<std::string> only_in(const std::vector<SceneRows>& here, const std::vector<SceneRows>& there) {
+  std::vector<std::string> names;
+  for (const auto& one : here)
+    if (std::none_of(there.begin(), there.end(),
+                     [&](const auto& other) { return other.facts->scene == one.facts->scene; }))
+      names.push_back(one.facts->scene);
+  return names;
+}
+
 /// Do two measurements of a corpus name the same winners?
 int compare_corpora(const std::string& a, const std::string& b) {
   const auto rows_a = read_corpus_csv(a), rows_b = read_corpus_csv(b);
@@ -58,6 +73,10 @@ int compare_corpora(const std::string& a, const std::string& b) {
       "{} cells of scene and error: {} have the same winner, in {} one of the two can not tell, {} differ\n",
       found.cells, found.same, found.untold, found.different);
   for (const auto& one : found.differences) out += fmt::format("- {}\n", one);
+  for (const auto& [name, here, there] :
+       {std::tuple("A", &scenes_a, &scenes_b), std::tuple("B", &scenes_b, &scenes_a)})
+    if (const auto names = only_in(*here, *there); !names.empty())
+      out += fmt::format("only in {}: {}\n", name, fmt::join(names, ", "));
   print_data(out);
   return static_cast<int>(found.cells > 0 ? ExitCode::ok : ExitCode::inconclusive);
 }

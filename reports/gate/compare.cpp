@@ -1,11 +1,15 @@
 #include "reports/gate/compare.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <tuple>
 
 namespace superstep {
 namespace {
 
-constexpr double worth_a_word = 1.02;  // two runs of one program differ by less only by luck
+constexpr TimingLimits limits;
 
 std::optional<double> quotient(const MeasuredRow& a, const MeasuredRow& b, const std::string& column) {
   const auto before = a.number(column), now = b.number(column);
@@ -34,13 +38,43 @@ ComparedRow compare_rows(const std::string& case_name, const MeasuredRow& a, con
                   .status_a = a.status,
                   .status_b = b.status,
                   .time = {},
+                  .doubt = {},
                   .in_yardsticks = false,
                   .work = quotient(a, b, "rhs"),
                   .error = quotient(a, b, "error_rms")};
   PairedTimings first, second;
   row.in_yardsticks = take_timings(a, b, first, second);
-  if (first.rounds() > 1 && second.rounds() > 1) row.time = slowdown(second, first);
+  if (first.rounds() == 0 || second.rounds() == 0) return row;
+  row.time = slowdown(second, first);
+  if (const auto doubt = doubt_about(first, second, limits)) row.doubt = doubt->kind;
   return row;
+}
+
+/// Cases, and methods of cases that both have, which stand in `here` only.
+std::vector<std::string> only_in(const ResultsFile& here, const ResultsFile& there) {
+  std::vector<std::string> names;
+  for (const auto& one : here.cases) {
+    const MeasuredCase* other = there.find(one.name);
+    if (!other) names.push_back(fmt::format("case {}", one.name));
+    for (const auto& row : one.rows)
+      if (other && !other->find(row.spec)) names.push_back(fmt::format("`{}` on {}", row.spec, one.name));
+  }
+  return names;
+}
+
+/// What the table does not show.
+std::string notes_below(const ResultsFile& a, const ResultsFile& b, const std::vector<ComparedRow>& rows) {
+  std::string out;
+  const bool in_doubt = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.doubt; });
+  if (in_doubt) out += fmt::format("\n{}\n", timing_rule(limits));
+  for (const auto& [name, here, there] : {std::tuple("A", &a, &b), std::tuple("B", &b, &a)}) {
+    if (here->interrupted) out += fmt::format("\n{} was interrupted.\n", name);
+    if (const auto names = only_in(*here, *there); !names.empty())
+      out += fmt::format("\nOnly in {}: {}.\n", name, fmt::join(names, ", "));
+  }
+  if (a.processor != b.processor)
+    out += fmt::format("\nThe processors differ: '{}' and '{}'.\n", a.processor, b.processor);
+  return out;
 }
 
 std::string shown(const std::optional<double>& ratio) {
@@ -52,8 +86,16 @@ std::string shown(const std::optional<double>& ratio) {
 const char* ComparedRow::words() const {
   if (status_a != status_b) return "not the same status";
   if (!time) return "not timed";
-  if (time->above(worth_a_word)) return "B is slower";
-  if (time->below(1 / worth_a_word)) return "B is faster";
+  if (doubt) switch (*doubt) {
+      case TimingDoubt::Kind::too_few_rounds:
+        return "too few rounds to tell";
+      case TimingDoubt::Kind::too_short:
+        return "too short to tell";
+      case TimingDoubt::Kind::at_odds:
+        return "too uneven to tell";
+    }
+  if (time->above(limits.slower)) return "B is slower";
+  if (time->below(1 / limits.slower)) return "B is faster";
   return "no clear difference";
 }
 
@@ -70,20 +112,21 @@ std::vector<ComparedRow> compare(const ResultsFile& a, const ResultsFile& b) {
 
 std::string compare_markdown(const ResultsFile& a, const ResultsFile& b,
                              const std::vector<ComparedRow>& rows) {
-  std::string out = fmt::format(
-      "# Comparison\n\nA: `{}` ({}), B: `{}` ({}). Ratios are B over A; CPU times of stepping, medians over "
-      "rounds with 99 % intervals.\n\n"
-      "| case | method | CPU | interval | unit | sweeps | error | |\n|---|---|---|---|---|---|---|---|\n",
-      a.path, a.revision, b.path, b.revision);
+  std::string out =
+      fmt::format("# Comparison\n\nA: `{}` ({}), B: `{}` ({}).", a.path, a.revision, b.path, b.revision);
+  if (rows.empty())
+    return out + "\n\nNothing to compare: they have no method on a case in common.\n" +
+           notes_below(a, b, rows);
+  out +=
+      " Ratios are B over A; CPU times of stepping, medians over rounds with 99 % intervals.\n\n"
+      "| case | method | CPU | interval | unit | sweeps | error | |\n|---|---|---|---|---|---|---|---|\n";
   for (const auto& row : rows)
-    out += fmt::format("| {} | `{}` | {} | {} | {} | {} | {} | {} |\n", row.case_name, row.spec,
-                       row.time ? fmt::format("{:.3f}", row.time->estimate) : "",
-                       row.time ? fmt::format("{:.3f} to {:.3f}", row.time->low, row.time->high) : "",
-                       row.in_yardsticks ? "yardsticks" : "seconds", shown(row.work), shown(row.error),
-                       row.words());
-  if (a.processor != b.processor)
-    out += fmt::format("\nThe processors differ: '{}' and '{}'.\n", a.processor, b.processor);
-  return out;
+    out += fmt::format(
+        "| {} | `{}` | {} | {} | {} | {} | {} | {} |\n", row.case_name, row.spec,
+        row.time ? fmt::format("{:.3f}", row.time->estimate) : "",
+        row.time && !row.doubt ? fmt::format("{:.3f} to {:.3f}", row.time->low, row.time->high) : "",
+        row.in_yardsticks ? "yardsticks" : "seconds", shown(row.work), shown(row.error), row.words());
+  return out + notes_below(a, b, rows);
 }
 
 }  // namespace superstep

@@ -273,7 +273,7 @@ TEST(Compare, IdenticalWorkIsNotASpeedup) {
       ++rows;
     }
   EXPECT_EQ(rows, 40);
-  EXPECT_EQ(claims, 0);  // the interval holds 99 %, and 2 % are never worth a word
+  EXPECT_EQ(claims, 0);  // the interval holds 99 %, and 5 % are never worth a word
 }
 
 TEST(Compare, SeesATenthAndCountsWork) {
@@ -282,6 +282,35 @@ TEST(Compare, SeesATenthAndCountsWork) {
   EXPECT_STREQ(rows[0].words(), "B is faster");
   EXPECT_DOUBLE_EQ(*rows[0].work, 2.0);
   EXPECT_TRUE(rows[0].in_yardsticks);
+}
+
+TEST(Compare, FewRoundsTellNothingAndShortOnesNeither) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const auto few =
+        compare(measured({.rounds = 3}, seed), measured({.sweep = 0.5, .rounds = 3}, seed + 100));
+    EXPECT_STREQ(few[0].words(), "too few rounds to tell");
+  }
+  auto a = measured({}, 1), b = measured({.sweep = 0.5}, 2);
+  for (auto* file : {&a, &b})
+    for (double& time : file->cases[0].rows[0].cpu_stepping) time *= 1e-3;
+  const auto rows = compare(a, b);
+  EXPECT_STREQ(rows[0].words(), "too short to tell");
+  const auto text = compare_markdown(a, b, rows);
+  EXPECT_NE(text.find("Times can tell from 6 rounds and 5 ms on"), std::string::npos) << text;
+}
+
+TEST(Compare, NamesWhatStandsInOneOfThemOnly) {
+  const auto a = measured({}, 1);
+  auto b = a;
+  b.cases[0].rows.pop_back();
+  b.cases.push_back({"ladder", "rkc", {}});
+  const auto text = compare_markdown(a, b, compare(a, b));
+  EXPECT_NE(text.find("Only in A: `rkc:rtol=1e-4` on rod.\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("Only in B: case ladder.\n"), std::string::npos) << text;
+  b.cases[0].name = "bar";
+  const auto nothing = compare_markdown(a, b, compare(a, b));
+  EXPECT_NE(nothing.find("Nothing to compare"), std::string::npos) << nothing;
+  EXPECT_EQ(nothing.find("| case"), std::string::npos) << nothing;
 }
 
 TEST(Compare, RefusesTwoCasesOfOneName) {
