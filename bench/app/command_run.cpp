@@ -154,9 +154,11 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
     std::optional<VtkSeries> vtk;
     begin_run_files(folders[k]);
-    if (command.vtk) vtk.emplace(scene, folders[k]);
-    if (!command.vtk && !quiet && has_vtk_series(folders[k]))
-      note(fmt::format("{}/vtk holds the fields of an earlier run", folders[k]));
+    remove_files_of_motion(folders[k]);
+    if (command.vtk)
+      vtk.emplace(scene, folders[k]);
+    else
+      remove_vtk_series(folders[k]);
     const FinishedRun run = integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr, command);
     RunRecord record = record_run(scene, specs[k], run.result);
     record.cpu_setup = cpu_setup;

@@ -8,6 +8,7 @@
 #include "bench/measure/scene_facts.hpp"
 #include "bench/measure/shared/shared_layers.hpp"
 #include "bench/output/output_folder.hpp"
+#include "bench/output/snapshot_files.hpp"
 #include "case/checks/effective.hpp"
 #include "core/atomic_file.hpp"
 #include "core/stopwatch.hpp"
@@ -165,6 +166,11 @@ RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult
 
 void begin_run_files(const std::string& folder) noexcept {
   remove_stale_file(folder + "/run.json");
+}
+
+void remove_files_of_motion(const std::string& folder) noexcept {
+  for (const char* name : {"/history.csv", "/history.svg"}) remove_stale_file(folder + name);
+  remove_snapshots(folder, 0);
 }
 
 std::string write_run_files(const std::string& folder, const Scene& scene, const ProbeSet& probes,

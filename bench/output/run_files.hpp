@@ -28,6 +28,9 @@ void write_final_csv(const Scene& scene, double t, std::span<const double> state
 /// Removes run.json, which speaks for the other files, before the first of them changes.
 void begin_run_files(const std::string& folder) noexcept;
 
+/// Removes what only a run of moving particles leaves, before a network that does not move is run.
+void remove_files_of_motion(const std::string& folder) noexcept;
+
 /// Writes final.csv and, when there are probes, probes.csv if the run succeeded, and run.json in any case and
 /// last; removes those of an earlier run that this one did not produce. Returns the text of run.json. Throws
 /// OutputError.

@@ -121,16 +121,30 @@ TEST_F(Faults, TheIndexGoesFirstAndComesLast) {
 }
 
 TEST_F(Faults, WhatThisCommandDoesNotWriteStays) {
-  std::filesystem::copy(SUPERSTEP_SOURCE_DIR "/cases", folder_.file("cases"),
-                        std::filesystem::copy_options::recursive);
-  ASSERT_EQ(shell("$S run cases/lattice.toml --vtk --out seen"), 0) << err();
-  ASSERT_EQ(shell("$S run cases/lattice.toml --out seen"), 0) << err();
-  EXPECT_TRUE(folder_.has("seen/vtk/particles.pvd"));
-  EXPECT_NE(err().find("seen/vtk holds the fields of an earlier run"), std::string::npos) << err();
   ASSERT_EQ(shell("$S bench rod.toml --repetitions 1 --report --out page"), 0) << err();
   ASSERT_EQ(shell("$S bench rod.toml --repetitions 1 --out page"), 0) << err();
   EXPECT_TRUE(folder_.has("page/report.html"));
   EXPECT_NE(err().find("report.html shows earlier results"), std::string::npos) << err();
+}
+
+TEST_F(Faults, ARunLeavesNothingOfTheRunBefore) {
+  std::filesystem::copy(SUPERSTEP_SOURCE_DIR "/cases", folder_.file("cases"),
+                        std::filesystem::copy_options::recursive);
+  const std::string press = SUPERSTEP_SOURCE_DIR "/tests/support/small_press.toml";
+  const auto left = [&](const char* name) { return folder_.has(std::string("seen/") + name); };
+  std::filesystem::create_directories(folder_.file("seen/snapshots"));
+  folder_.write("seen/snapshots/mine.csv", "kept");
+  folder_.write("seen/snapshots/particles_0007.csv", "old");
+  folder_.write("seen/snapshots/particles_7.csv", "no name of ours");
+  ASSERT_EQ(shell("$S run cases/lattice.toml --vtk --out seen"), 0) << err();
+  EXPECT_TRUE(left("vtk/particles.pvd") && !left("snapshots/particles_0007.csv"));
+  ASSERT_EQ(shell("$S run " + press + " --out seen"), 0) << err();
+  EXPECT_TRUE(left("history.csv") && left("history.svg") && left("snapshots/particles_0001.csv"));
+  EXPECT_FALSE(left("vtk/particles.pvd") || left("vtk/particles_0000.vtp") || left("probes.csv"));
+  ASSERT_EQ(shell("$S run rod.toml --out seen"), 0) << err();
+  for (const char* gone : {"history.csv", "history.svg", "snapshots/particles_0001.csv"})
+    EXPECT_FALSE(left(gone)) << gone;
+  EXPECT_TRUE(left("snapshots/mine.csv") && left("snapshots/particles_7.csv"));
 }
 
 TEST_F(Faults, CasesOfOneNameAreNotMerged) {

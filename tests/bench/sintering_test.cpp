@@ -83,7 +83,12 @@ TEST(RunSintering, RestartFromACheckpointGivesTheSameBytes) {
   ASSERT_EQ(quietly([&] { return execute(part); }), 0);
   RunCommand rest = run_of(folder, "rest");
   rest.restart = folder.file("part/checkpoint.bin");
+  std::filesystem::create_directories(folder.file("rest/snapshots"));
+  folder.write("rest/snapshots/particles_0000.csv", "of the run so far");
+  folder.write("rest/snapshots/particles_0002.csv", "of some other run");
   ASSERT_EQ(quietly([&] { return execute(rest); }), 0);
+  EXPECT_EQ(folder.read("rest/snapshots/particles_0000.csv"), "of the run so far");
+  EXPECT_FALSE(folder.has("rest/snapshots/particles_0002.csv"));
   EXPECT_EQ(folder.read("rest/final.csv"), folder.read("whole/final.csv"));
   EXPECT_EQ(folder.read("rest/history.csv"), folder.read("whole/history.csv"));
 

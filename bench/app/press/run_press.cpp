@@ -15,6 +15,7 @@
 #include "bench/host/watchdog.hpp"
 #include "bench/output/output_folder.hpp"
 #include "bench/output/run_files.hpp"
+#include "bench/output/snapshot_files.hpp"
 #include "bench/output/vtk_frames.hpp"
 #include "bench/press/sintering_figure.hpp"
 #include "bench/press/sintering_vtk.hpp"
@@ -91,24 +92,26 @@ class Checkpoints {
   double written_ = 0;
 };
 
-std::string snapshot_name(std::size_t number) {
-  return fmt::format("snapshots/particles_{:04}.csv", number);
-}
-
 /// Files of particles at the output times.
 class Snapshots {
  public:
-  /// A restart goes on with the series that it finds, from the time `begin` [s].
+  /// A restart goes on with the series that it finds, from the time `begin` [s]; any other run begins them
+  /// anew.
   Snapshots(const Press& one, const RunCommand& command, const std::string& folder, double begin)
       : one_(one), folder_(folder) {
+    const bool anew = command.restart.empty();
     begin_run_files(folder);
-    if (!command.vtk) {
-      if (!command.common.quiet && has_vtk_series(folder))
-        note(fmt::format("{}/vtk holds the fields of an earlier run", folder));
-    } else if (command.restart.empty()) {
+    remove_stale_file(folder + "/probes.csv");  // of a network that does not move
+    const auto past = std::upper_bound(one.output_times.begin(), one.output_times.end(), begin);
+    remove_snapshots(folder, anew ? 0 : static_cast<std::size_t>(past - one.output_times.begin()));
+    if (command.vtk && anew) {
       vtk_.emplace(folder);
-    } else {
+    } else if (command.vtk) {
       vtk_.emplace(folder, begin);
+    } else if (anew) {
+      remove_vtk_series(folder);
+    } else if (!command.common.quiet && has_vtk_series(folder)) {
+      note(fmt::format("{}/vtk holds the fields of an earlier run; give --vtk to go on with them", folder));
     }
   }
   /// For ParaView, where the motion is now.
