@@ -1,13 +1,18 @@
 /// The corpus says of itself what is true.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <string>
+#include <utility>
 
 #include "case/corpus/corpus_tags.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
+#include "core/text/text_file.hpp"
 
 namespace superstep {
 namespace {
@@ -41,6 +46,31 @@ TEST(Corpus, HasEveryClassAndSetsOfTheRightSize) {
   EXPECT_GE(sets["large"], 40);
   EXPECT_LT(sets["standard"], sets["large"]);
   for (const char* name : corpus_classes) EXPECT_GT(classes[name], 0) << name;
+}
+
+TEST(Corpus, IsAsLargeAsItsPagesSay) {
+  std::map<std::string, std::pair<double, double>> sizes;  // smallest and largest of a set
+  for (const auto& file : files()) {
+    const auto tags = tags_of(file);
+    for (const char* set : corpus_sets) {
+      if (!belongs_to(tags, set)) continue;
+      auto& [least, most] = sizes.try_emplace(set, tags.unknowns, tags.unknowns).first->second;
+      least = std::min(least, tags.unknowns);
+      most = std::max(most, tags.unknowns);
+    }
+  }
+  const auto says = [](const char* page, const std::string& words) {
+    const auto text = read_text_file((fs::path(SUPERSTEP_SOURCE_DIR) / "cases" / page).string());
+    EXPECT_NE(text.find(words), std::string::npos) << page << ": " << words;
+  };
+  const auto spaced = [](double count) {  // "2 337"
+    std::string digits = fmt::format("{:.0f}", count);
+    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, " ");
+    return digits;
+  };
+  says("corpus/README.md", fmt::format("scenes up to {} unknowns", spaced(sizes["quick"].second)));
+  says("README.md",
+       fmt::format("{} to {} unknowns", spaced(sizes["large"].first), spaced(sizes["large"].second)));
 }
 
 /// Loading checks the hash of a generated network, too.
