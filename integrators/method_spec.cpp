@@ -20,7 +20,8 @@ MethodSpec MethodSpec::with_tolerance(double rtol) const {
   if (std::none_of(entry_->keys.begin(), entry_->keys.end(),
                    [](const OptionKey& key) { return key.name == tolerance; }))
     throw UsageError(fmt::format(
-        "--tolerance: {} has no relative tolerance; choose a method with the key 'rtol' (see superstep list)",
+        "{} has no relative tolerance: it takes steps of a fixed size; leave the tolerance out, or "
+        "choose a method with the key 'rtol' (see superstep list)",
         name()));
   std::string settings;
   bool there = false;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <ctime>
 #include <set>
+#include <utility>
 
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
@@ -59,8 +60,7 @@ PlainTable quality_table(std::span<const CostPoint> points, const CostConstants&
       .intro = "Predicted over measured CPU time, either way: the middle point and the worst one.",
       .headers = {"family", "points", "middle", "worst"}};
   for (const auto& one : fit_quality(points, constants)) {
-    const std::string name = one.family == Family::euler ? "f" : family_spec(one.family, Physics::linear);
-    table.rows.push_back({{name},
+    table.rows.push_back({{family_spec(one.family, Physics::linear)},
                           {fmt::format("{}", one.points)},
                           {fmt::format("{:.2f}x", one.median)},
                           {fmt::format("{:.1f}x", one.worst)}});
@@ -102,14 +102,28 @@ PlainTable held_out_table(std::span<const HeldOut> choices) {
   return table;
 }
 
+/// The rows of all files. A measurement that stands in several of them counts once.
+std::vector<CorpusRow> rows_of(const FitCommand& command) {
+  std::vector<CorpusRow> rows;
+  std::set<std::string> seen;
+  std::size_t again = 0;
+  for (const auto& file : command.files)
+    for (auto& row : read_corpus_csv(file)) {
+      if (seen.insert(corpus_csv({&row, 1})).second)
+        rows.push_back(std::move(row));
+      else
+        ++again;
+    }
+  if (again > 0 && !command.common.quiet)
+    note(fmt::format("fit: {} in the files more than once; each measurement counts once",
+                     quantity(again, "row stands", "rows stand")));
+  return rows;
+}
+
 }  // namespace
 
 int execute(const FitCommand& command) {
-  std::vector<CorpusRow> rows;
-  for (const auto& file : command.files) {
-    auto more = read_corpus_csv(file);
-    rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  }
+  const auto rows = rows_of(command);
   const auto points = cost_points(rows);
   if (points.empty()) {
     note(

@@ -132,6 +132,14 @@ TEST_F(Program, NumbersOnTheCommandLineAreStrict) {
   expect_error("pack --height 1 --sizes list:0.1,0.2 -o x.csv", 2, "--diameter");
 }
 
+TEST_F(Program, WhatFollowsTwoDashesIsNoOption) {
+  folder_.write("-lead.toml", folder_.read("rod.toml"));
+  EXPECT_EQ(run("run --integrator rkc --out lead -- -lead.toml"), 0) << err();
+  EXPECT_EQ(run("run --out lead --quiet -- rod.toml"), 0) << err();
+  expect_error("run --out -- rod.toml", 2, "--out needs a value");
+  expect_error("run -- --out", 3, "--out: no such file");
+}
+
 TEST_F(Program, GateAndCompareKeepTheirExitCodes) {
   expect_error("gate", 2, "results.json");
   expect_error("gate rod.toml", 2, "--baseline");

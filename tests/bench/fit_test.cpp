@@ -124,6 +124,27 @@ TEST(Fit, WritesTheHeaderThatTheBuildTakes) {
   EXPECT_NE(header.find("superstep fit "), std::string::npos);
 }
 
+TEST(Fit, CountsAMeasurementOnceAndNamesEveryFamily) {
+  test::CaseFolder folder;
+  auto rows = rows_of(others());
+  CorpusRow euler = rows.front();
+  euler.integrator = "forward-euler";
+  euler.params = "fraction=1";
+  euler.spec = "forward-euler:fraction=1";
+  euler.steps = euler.sweeps = 1000;
+  rows.push_back(euler);
+  folder.write("corpus.csv", corpus_csv(rows));
+  const auto table_of = [&](std::vector<std::string> line) {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(run_program(line), 0);
+    return testing::internal::GetCapturedStdout();
+  };
+  const std::string file = folder.file("corpus.csv");
+  const std::string once = table_of({"fit", file, "--quiet"});
+  EXPECT_EQ(once, table_of({"fit", file, file, "--quiet"}));
+  EXPECT_NE(once.find("\nforward-euler "), std::string::npos) << once;
+}
+
 TEST(Fit, SaysWhatItCannotUse) {
   test::CaseFolder folder;
   EXPECT_EQ(run_program({"fit"}), 2);

@@ -75,6 +75,17 @@ TEST(Toml, WrongTypesAndNonFiniteNumbersAreErrors) {
   EXPECT_THROW(static_cast<void>(root.find("d")->table()), InputError);
 }
 
+TEST(Toml, StringsHoldNothingThatSteersATerminal) {
+  for (const char* code : {"\\u0000", "\\u001b[31m", "\\u007f", "\\u009b", "\\b"}) {
+    auto root = TomlTable::parse_text(std::string("a = 1\ntitle = \"red ") + code + "\"\n", "case.toml");
+    const auto message = test::message_of<InputError>([&] { static_cast<void>(root.string("title")); });
+    EXPECT_EQ(message.rfind("case.toml:2: key 'title'", 0), 0u) << message;
+    EXPECT_EQ(message.find('\x1b'), std::string::npos) << message;
+  }
+  auto root = TomlTable::parse_text("title = \"\u00e4 \u2020\\tb\\nc\"\n", "case.toml");
+  EXPECT_EQ(root.string("title"), "\u00e4 \u2020\tb\nc");
+}
+
 TEST(Toml, HostileTextIsOneCleanError) {
   const std::string deep(5000, '[');
   for (const std::string& text : {std::string("[&"), std::string("a = 1\n[=a]"), std::string("a = "),

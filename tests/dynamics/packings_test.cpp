@@ -206,7 +206,8 @@ TEST(ParticleFile, BondsBesideItAreTakenUp) {
   const double neck_area = pair_area(0.12 * 0.8, 0.06, 0.06);
   EXPECT_NEAR(network.contacts().table().pull[0], 0.4 * 1e7 * neck_area * (0.2 - 1.0 / 6), 1e-9 * 1e7);
 
-  for (const auto& [text, says] : {std::pair{"i,j,overlap,growth\n7,3,0.2,0.4\n3,7,0.2,0.4\n", "two rows"},
+  for (const auto& [text, says] : {std::pair{"i,j,overlap,growth\n7,3,0.2,0.4\n3,7,0.2,0.4\n",
+                                             "b.csv:3: the bond 7-3 has a row already, on line 2; keep one"},
                                    std::pair{"i,j,overlap,growth\n7,3,0.2,1.4\n", "[0, 1]"},
                                    std::pair{"i,j,overlap,growth\n7,9,0.2,0.4\n", "not in the packing"},
                                    std::pair{"i,j,overlap,growth\n7,7,0.2,0.4\n", "joins two"}}) {

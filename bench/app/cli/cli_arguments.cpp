@@ -18,6 +18,8 @@
 namespace superstep {
 namespace {
 
+constexpr const char* end_of_options = "--";  // what follows is no option, whatever it begins with
+
 std::vector<std::string> names_of_commands(const CLI::App& app) {
   std::vector<std::string> names;
   for (const auto* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
@@ -34,6 +36,7 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
 // Unknown arguments are collected by CLI11 and judged here, so that the message can name what was meant.
 void reject_unknown_arguments(const CLI::App& app) {
   for (const auto& argument : app.remaining()) {
+    if (argument == end_of_options) continue;
     const bool option = argument.starts_with("-");
     const std::string name = argument.substr(0, argument.find('='));
     if (option)
@@ -132,6 +135,10 @@ std::vector<std::string> with_lists_spelt_out(const std::vector<std::string>& li
   const auto lists = names_of_lists();
   std::vector<std::string> out;
   for (std::size_t k = 0; k < line.size(); ++k) {
+    if (line[k] == end_of_options) {
+      out.insert(out.end(), line.begin() + static_cast<std::ptrdiff_t>(k), line.end());
+      break;
+    }
     out.push_back(line[k]);
     const std::string name = line[k].substr(0, line[k].find('='));
     const bool bare = name == line[k] && (k + 1 == line.size() || line[k + 1].starts_with("-"));
@@ -160,7 +167,7 @@ bool is_option(const std::string& word) {
 
 /// The parser would take the option that follows for the value.
 void require_values(const CLI::App& command, const std::vector<std::string>& line) {
-  for (std::size_t k = 0; k < line.size(); ++k) {
+  for (std::size_t k = 0; k < line.size() && line[k] != end_of_options; ++k) {
     if (line[k].starts_with("--") && line[k].ends_with('='))
       throw UsageError(fmt::format("{} is followed by nothing; give it a value", line[k]));
     if (!is_option(line[k]) || (k + 1 < line.size() && !is_option(line[k + 1]))) continue;

@@ -158,7 +158,11 @@ std::vector<Bond> read_bonds(const std::string& path, const Packing& packing) {
   CsvReader rows(path, {"i", "j", "overlap", "growth"});
   std::unordered_map<std::int64_t, std::size_t> places;
   for (std::size_t k = 0; k < packing.size(); ++k) places.emplace(packing.id[k], k);
-  std::vector<Bond> bonds;
+  struct Row {
+    Bond bond;
+    std::size_t line;
+  };
+  std::vector<Row> read;
   while (rows.next()) {
     const auto a = places.find(rows.integer(i)), b = places.find(rows.integer(j));
     if (a == places.end()) unknown(rows, rows.integer(i));
@@ -172,15 +176,20 @@ std::vector<Bond> read_bonds(const std::string& path, const Packing& packing) {
           fmt::format("{}: growth is {}; it must lie in [0, 1]", rows.where(), rows.number(growth)));
     const auto first = static_cast<std::int32_t>(std::min(a->second, b->second)),
                second = static_cast<std::int32_t>(std::max(a->second, b->second));
-    bonds.push_back({first, second, rows.number(overlap), rows.number(growth)});
+    read.push_back({{first, second, rows.number(overlap), rows.number(growth)}, rows.line()});
   }
-  const auto key = [](const Bond& bond) { return std::pair{bond.i, bond.j}; };
-  std::sort(bonds.begin(), bonds.end(), [&](const Bond& a, const Bond& b) { return key(a) < key(b); });
-  for (std::size_t k = 1; k < bonds.size(); ++k)
-    if (key(bonds[k]) == key(bonds[k - 1]))
-      throw InputError(fmt::format("{}: the bond {}-{} has two rows; keep one", path,
-                                   packing.id[static_cast<std::size_t>(bonds[k].i)],
-                                   packing.id[static_cast<std::size_t>(bonds[k].j)]));
+  const auto pair = [](const Row& row) { return std::pair{row.bond.i, row.bond.j}; };
+  std::sort(read.begin(), read.end(), [&](const Row& a, const Row& b) {
+    return std::pair{pair(a), a.line} < std::pair{pair(b), b.line};
+  });
+  std::vector<Bond> bonds;
+  for (std::size_t k = 0; k < read.size(); ++k) {
+    if (k > 0 && pair(read[k]) == pair(read[k - 1]))
+      throw InputError(fmt::format("{}:{}: the bond {}-{} has a row already, on line {}; keep one", path,
+                                   read[k].line, packing.id[static_cast<std::size_t>(read[k].bond.i)],
+                                   packing.id[static_cast<std::size_t>(read[k].bond.j)], read[k - 1].line));
+    bonds.push_back(read[k].bond);
+  }
   return bonds;
 }
 

@@ -29,6 +29,17 @@ std::string shown_node(const toml::node& node) {
   return "a date or time";
 }
 
+/// Apart from tabs and ends of lines: C0, DEL, and C1, which is C2 80 to C2 9F in UTF-8.
+bool holds_control_characters(std::string_view text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = static_cast<unsigned char>(text[k]);
+    if ((byte < 0x20 && text[k] != '\t' && text[k] != '\n' && text[k] != '\r') || byte == 0x7F) return true;
+    const auto next = static_cast<unsigned char>(k + 1 < text.size() ? text[k + 1] : '\0');
+    if (byte == 0xC2 && next >= 0x80 && next < 0xA0) return true;
+  }
+  return false;
+}
+
 bool parser_gives_up(std::string_view text) {
   try {
     static_cast<void>(toml::parse(text));
@@ -173,7 +184,10 @@ bool TomlValue::boolean() const {
 std::string TomlValue::string() const {
   if (!is_string()) reject("it must be a string");
   if (node_->node->as_string()->get().empty()) reject("it must not be empty; leave the key out");
-  return node_->node->as_string()->get();
+  const std::string& text = node_->node->as_string()->get();
+  if (holds_control_characters(text))
+    reject("it must not hold control characters, which steer a terminal; leave them out");
+  return text;
 }
 
 std::vector<TomlValue> TomlValue::array() const {
