@@ -9,27 +9,10 @@
 namespace superstep {
 namespace {
 
-constexpr TimingLimits limits;
-
 std::optional<double> quotient(const MeasuredRow& a, const MeasuredRow& b, const std::string& column) {
   const auto before = a.number(column), now = b.number(column);
   if (!before || !now || !(*before > 0)) return std::nullopt;
   return *now / *before;
-}
-
-/// CPU times in yardsticks when both have them, else in seconds.
-bool take_timings(const MeasuredRow& a, const MeasuredRow& b, PairedTimings& first, PairedTimings& second) {
-  const auto has_yardstick = [](const MeasuredRow& row) {
-    return row.yardstick.size() == row.cpu_stepping.size();
-  };
-  const bool in_yardsticks = has_yardstick(a) && has_yardstick(b);
-  const auto timings = [&](const MeasuredRow& row) {
-    return PairedTimings{row.cpu_stepping,
-                         in_yardsticks ? row.yardstick : std::vector<double>(row.cpu_stepping.size(), 1.0)};
-  };
-  first = timings(a);
-  second = timings(b);
-  return in_yardsticks;
 }
 
 ComparedRow compare_rows(const std::string& case_name, const MeasuredRow& a, const MeasuredRow& b) {
@@ -42,11 +25,12 @@ ComparedRow compare_rows(const std::string& case_name, const MeasuredRow& a, con
                   .in_yardsticks = false,
                   .work = quotient(a, b, "rhs"),
                   .error = quotient(a, b, "error_rms")};
-  PairedTimings first, second;
-  row.in_yardsticks = take_timings(a, b, first, second);
-  if (first.rounds() == 0 || second.rounds() == 0) return row;
-  row.time = slowdown(second, first);
-  if (const auto doubt = doubt_about(first, second, limits)) row.doubt = doubt->kind;
+  const auto [before, now, in_yardsticks] =
+      in_one_unit(a.cpu_stepping, a.yardstick, b.cpu_stepping, b.yardstick);
+  row.in_yardsticks = in_yardsticks;
+  if (before.rounds() == 0 || now.rounds() == 0) return row;
+  row.time = slowdown(now, before);
+  if (const auto doubt = doubt_about(before, now, timing_limits)) row.doubt = doubt->kind;
   return row;
 }
 
@@ -66,7 +50,7 @@ std::vector<std::string> only_in(const ResultsFile& here, const ResultsFile& the
 std::string notes_below(const ResultsFile& a, const ResultsFile& b, const std::vector<ComparedRow>& rows) {
   std::string out;
   const bool in_doubt = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.doubt; });
-  if (in_doubt) out += fmt::format("\n{}\n", timing_rule(limits));
+  if (in_doubt) out += fmt::format("\n{}\n", timing_rule(timing_limits));
   for (const auto& [name, here, there] : {std::tuple("A", &a, &b), std::tuple("B", &b, &a)}) {
     if (here->interrupted) out += fmt::format("\n{} was interrupted.\n", name);
     if (const auto names = only_in(*here, *there); !names.empty())
@@ -94,8 +78,8 @@ const char* ComparedRow::words() const {
       case TimingDoubt::Kind::at_odds:
         return "too uneven to tell";
     }
-  if (time->above(limits.slower)) return "B is slower";
-  if (time->below(1 / limits.slower)) return "B is faster";
+  if (time->above(timing_limits.slower)) return "B is slower";
+  if (time->below(1 / timing_limits.slower)) return "B is faster";
   return "no clear difference";
 }
 

@@ -13,12 +13,12 @@ namespace superstep {
 /// What is tolerated. A method with fixed steps does exactly the same work on every machine; one that
 /// controls its steps decides by comparing numbers whose last digits differ between instruction sets.
 struct GateLimits {
-  double adaptive_counters = 0.02;  ///< more work of an adaptive method, relative
-  double adaptive_counts = 2;       ///< and so many more are never worth a word
-  double errors = 0.05;             ///< larger error, relative, beyond the reference's own error bar
-  double balance = 1e-6;            ///< heat balance [-] that is never worth a word
-  double instructions = 0.005;      ///< more instructions, relative
-  TimingLimits timing;              ///< what times must be like to be judged, and what is slower
+  double adaptive_counters = 0.02;      ///< more work of an adaptive method, relative
+  double adaptive_counts = 2;           ///< and so many more are never worth a word
+  double errors = 0.05;                 ///< larger error, relative, beyond the reference's own error bar
+  double balance = 1e-6;                ///< heat balance [-] that is never worth a word
+  double instructions = 0.005;          ///< more instructions, relative
+  TimingLimits timing = timing_limits;  ///< what times must be like to be judged, and what is slower
   double unsure = 1.10;  ///< clearly not slower: the interval lies below this, its estimate below `slower`
 };
 

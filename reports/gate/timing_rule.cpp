@@ -8,6 +8,17 @@
 
 namespace superstep {
 
+ComparableTimes in_one_unit(const std::vector<double>& cpu_before,
+                            const std::vector<double>& yardstick_before, const std::vector<double>& cpu_now,
+                            const std::vector<double>& yardstick_now) {
+  const bool in_yardsticks =
+      yardstick_before.size() == cpu_before.size() && yardstick_now.size() == cpu_now.size();
+  const auto timings = [&](const std::vector<double>& cpu, const std::vector<double>& yardstick) {
+    return PairedTimings{cpu, in_yardsticks ? yardstick : std::vector<double>(cpu.size(), 1.0)};
+  };
+  return {timings(cpu_before, yardstick_before), timings(cpu_now, yardstick_now), in_yardsticks};
+}
+
 std::optional<TimingDoubt> doubt_about(const PairedTimings& before, const PairedTimings& now,
                                        const TimingLimits& limits) {
   using enum TimingDoubt::Kind;

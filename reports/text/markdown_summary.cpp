@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text/quantity.hpp"
+#include "reports/gate/timing_rule.hpp"
 #include "results/text/html_text.hpp"
 
 namespace superstep {
@@ -38,6 +39,7 @@ struct Change {
   const BenchRow* row;
   enum class Kind { worse, better, other } kind = Kind::other;
   std::vector<std::string> what;
+  bool times_can_tell = true;
 };
 
 void compare_counts(Change& change, const char* name, const std::optional<std::uint64_t>& now,
@@ -45,17 +47,27 @@ void compare_counts(Change& change, const char* name, const std::optional<std::u
   if (now && before && *now != *before) change.what.push_back(fmt::format("{} {} → {}", name, *before, *now));
 }
 
-void compare_times(Change& change, const Timing& now, const Timing& before) {
-  const bool slower = now.min > before.max, faster = now.max < before.min;
-  if (!slower && !faster) return;
-  change.what.push_back(fmt::format("CPU {} → {} s ({}×)", number_text(before.median),
-                                    number_text(now.median), number_text(now.median / before.median)));
+/// Slower and faster are what they are to the gate; false = the times cannot tell.
+bool compare_times(Change& change, const BenchRow& now, const BenchRow& before) {
+  const auto times = in_one_unit(before.cpu_stepping_samples, before.yardstick_samples,
+                                 now.cpu_stepping_samples, now.yardstick_samples);
+  const auto timed = [](const PairedTimings& one) {
+    return std::all_of(one.work.begin(), one.work.end(), [](double seconds) { return seconds > 0; });
+  };
+  if (!timed(times.before) || !timed(times.now) || doubt_about(times.before, times.now, timing_limits))
+    return false;
+  const RatioInterval ratio = slowdown(times.now, times.before);
+  const bool slower = ratio.above(timing_limits.slower), faster = ratio.below(1 / timing_limits.slower);
+  if (!slower && !faster) return true;
+  change.what.push_back(fmt::format("CPU {} → {} s ({}×)", number_text(before.cpu_stepping->median),
+                                    number_text(now.cpu_stepping->median), number_text(ratio.estimate)));
   change.kind = slower ? Change::Kind::worse : Change::Kind::better;
+  return true;
 }
 
 Change compare(const BenchRow& now, const BenchRow& before) {
   Change change{.row = &now, .what = {}};
-  if (now.cpu_stepping && before.cpu_stepping) compare_times(change, *now.cpu_stepping, *before.cpu_stepping);
+  if (now.cpu_stepping && before.cpu_stepping) change.times_can_tell = compare_times(change, now, before);
   compare_counts(change, "steps", now.steps, before.steps);
   compare_counts(change, "sweeps", now.rhs, before.rhs);
   if (now.errors.rms && before.errors.rms &&
@@ -69,6 +81,7 @@ Change compare(const BenchRow& now, const BenchRow& before) {
   return change;
 }
 
+/// Of all runs, those that are as they were included.
 std::vector<Change> changes_of(const BenchReport& report, const BenchReport& before) {
   std::vector<Change> changes;
   for (const auto& one : report.cases)
@@ -80,7 +93,7 @@ std::vector<Change> changes_of(const BenchReport& report, const BenchReport& bef
             "name; measure one of them again, or rename it",
             row.case_name, row.nodes, row.t_end, old->nodes, old->t_end));
       Change change = old ? compare(row, *old) : Change{.row = &row, .what = {"new"}};
-      if (!change.what.empty()) changes.push_back(std::move(change));
+      changes.push_back(std::move(change));
     }
   for (const auto& one : before.cases)
     for (const auto& row : one.rows)
@@ -89,13 +102,18 @@ std::vector<Change> changes_of(const BenchReport& report, const BenchReport& bef
 }
 
 std::string changes_markdown(const BenchReport& report, const BenchReport& before) {
-  const auto changes = changes_of(report, before);
+  auto changes = changes_of(report, before);
+  const bool all_told =
+      std::all_of(changes.begin(), changes.end(), [](const Change& one) { return one.times_can_tell; });
+  const std::string untold =
+      all_told ? "" : "\nTimes that cannot tell are left out. " + timing_rule(timing_limits) + "\n";
+  std::erase_if(changes, [](const Change& one) { return one.what.empty(); });
   const auto count = [&](Change::Kind kind) {
     return std::count_if(changes.begin(), changes.end(),
                          [&](const Change& change) { return change.kind == kind; });
   };
   const auto worse = count(Change::Kind::worse), better = count(Change::Kind::better);
-  if (changes.empty()) return "**Unchanged.** No run differs from the benchmark before.\n";
+  if (changes.empty()) return "**Unchanged.** No run differs from the benchmark before.\n" + untold;
   std::string out = fmt::format(
       "**{}** {} worse, {} better, {} otherwise changed.\n\n| case | run | what changed |\n|---|---|---|\n",
       worse > 0    ? "Worse."
@@ -106,7 +124,7 @@ std::string changes_markdown(const BenchReport& report, const BenchReport& befor
     out += fmt::format("| {} | {} | {} |\n", markdown_text(change.row->case_name),
                        markdown_text(change.row->spec),
                        markdown_text(fmt::format("{}", fmt::join(change.what, "; "))));
-  return out;
+  return out + untold;
 }
 
 const BenchRow* fastest(const BenchCase& one) {

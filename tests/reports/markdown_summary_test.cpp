@@ -17,6 +17,14 @@ BenchReport plain_report() {
   return report;
 }
 
+/// Timings around `seconds`, with one per cent of noise.
+void time(BenchRow& row, double seconds, int rounds = 9) {
+  row.cpu_stepping = Timing{seconds, 0.99 * seconds, 1.01 * seconds};
+  row.cpu_stepping_samples.clear();
+  for (int k = 0; k < rounds; ++k) row.cpu_stepping_samples.push_back(seconds * (1 + 0.01 * (k % 3 - 1)));
+  row.yardstick_samples.assign(static_cast<std::size_t>(rounds), 0.01);
+}
+
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -35,10 +43,11 @@ TEST(MarkdownSummary, TheSameBenchmarkIsUnchanged) {
 }
 
 TEST(MarkdownSummary, ListsChangedRowsOnly) {
-  const BenchReport before = plain_report();
+  BenchReport before = plain_report();
   BenchReport now = before;
   now.cases[0].rows[1].rhs = 1001;
-  now.cases[0].rows[2].cpu_stepping = Timing{1, 0.9, 1.1};  // 0.18 .. 0.24 before
+  time(before.cases[0].rows[2], 0.2);
+  time(now.cases[0].rows[2], 1);
   const std::string text = markdown_summary(now, &before);
   EXPECT_TRUE(text.starts_with("**Worse.** 1 worse, 0 better, 1 otherwise"));
   EXPECT_TRUE(has(text, "sweeps 1000 → 1001"));
@@ -46,11 +55,21 @@ TEST(MarkdownSummary, ListsChangedRowsOnly) {
   EXPECT_FALSE(has(text, "forward-euler")) << "it has not changed";
 }
 
+TEST(MarkdownSummary, TimesThatCannotTellAreNoChange) {
+  BenchReport before = plain_report(), now = before;
+  time(before.cases[0].rows[1], 0.2, 3);
+  time(now.cases[0].rows[1], 0.4, 3);  // all of them longer than any before: one in ten is, of three
+  const std::string text = markdown_summary(now, &before);
+  EXPECT_TRUE(text.starts_with("**Unchanged.**")) << text;
+  EXPECT_TRUE(has(text, "Times that cannot tell are left out. Times can tell from 6 rounds")) << text;
+}
+
 TEST(MarkdownSummary, OverlappingTimesAreNoChange) {
-  const BenchReport before = plain_report();
-  BenchReport now = before;
-  now.cases[0].rows[1].cpu_stepping = Timing{0.36, 0.35, 0.4};  // 0.27 .. 0.36 before
-  EXPECT_TRUE(markdown_summary(now, &before).starts_with("**Unchanged.**"));
+  BenchReport before = plain_report(), now = before;
+  for (auto* report : {&before, &now})
+    for (auto& row : report->cases[0].rows) time(row, 0.2);
+  time(now.cases[0].rows[1], 0.204);
+  EXPECT_EQ(markdown_summary(now, &before), "**Unchanged.** No run differs from the benchmark before.\n");
 }
 
 TEST(MarkdownSummary, NewGoneAndFailedRuns) {
