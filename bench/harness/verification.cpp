@@ -14,7 +14,7 @@
 namespace superstep {
 namespace {
 
-constexpr double times_tolerance = 10;  // a method whose error is more than so many tolerances is inaccurate
+constexpr double most_tolerances = 10;  // a method whose error is more than so many tolerances is inaccurate
 
 void keep_larger(Number& kept, double value) {
   kept = std::max(kept.value_or(0.0), value);
@@ -80,7 +80,7 @@ double allowed_error(const Scene& scene, const FieldView& field, double rtol, do
 }  // namespace
 
 Number delivered_error(double rms, double bar, double allowed) {
-  const double limit = times_tolerance * allowed;
+  const double limit = most_tolerances * allowed;
   const bool told = rms + bar <= limit || rms - bar > limit;
   return told ? Number(rms / allowed) : std::nullopt;
 }
@@ -93,7 +93,7 @@ void judge(const FieldErrors& errors, const std::string& field, const std::strin
                fmt::format("the {} is off by {:.3g} {} rms, {:.0f} % of its span of "
                            "{:.3g} {}: take shorter steps or a tighter tolerance",
                            field, *errors.rms, unit, 100 * *errors.relative_rms, *errors.span, unit)};
-  else if (errors.delivered && *errors.delivered > times_tolerance)
+  else if (errors.delivered && *errors.delivered > most_tolerances)
     outcome = {Status::inaccurate, fmt::format("the error of the {} is {:.3g} times what was asked for",
                                                field, *errors.delivered)};
   else if (errors.overshoot && *errors.overshoot > part_of_span * *errors.span)

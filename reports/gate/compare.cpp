@@ -47,7 +47,8 @@ std::vector<std::string> only_in(const ResultsFile& here, const ResultsFile& the
 }
 
 /// What the table does not show.
-std::string notes_below(const ResultsFile& a, const ResultsFile& b, const std::vector<ComparedRow>& rows) {
+std::string below_the_table(const ResultsFile& a, const ResultsFile& b,
+                            const std::vector<ComparedRow>& rows) {
   std::string out;
   const bool in_doubt = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.doubt; });
   if (in_doubt) out += fmt::format("\n{}\n", timing_rule(timing_limits));
@@ -100,7 +101,7 @@ std::string compare_markdown(const ResultsFile& a, const ResultsFile& b,
       fmt::format("# Comparison\n\nA: `{}` ({}), B: `{}` ({}).", a.path, a.revision, b.path, b.revision);
   if (rows.empty())
     return out + "\n\nNothing to compare: they have no method on a case in common.\n" +
-           notes_below(a, b, rows);
+           below_the_table(a, b, rows);
   out +=
       " Ratios are B over A; CPU times of stepping, medians over rounds with 99 % intervals.\n\n"
       "| case | method | CPU | interval | unit | sweeps | error | |\n|---|---|---|---|---|---|---|---|\n";
@@ -110,7 +111,7 @@ std::string compare_markdown(const ResultsFile& a, const ResultsFile& b,
         row.time ? fmt::format("{:.3f}", row.time->estimate) : "",
         row.time && !row.doubt ? fmt::format("{:.3f} to {:.3f}", row.time->low, row.time->high) : "",
         row.in_yardsticks ? "yardsticks" : "seconds", shown(row.work), shown(row.error), row.words());
-  return out + notes_below(a, b, rows);
+  return out + below_the_table(a, b, rows);
 }
 
 }  // namespace superstep

@@ -64,6 +64,18 @@ TEST_F(CorpusRun, MeasuresEverySceneWithEveryMethod) {
     EXPECT_NE(out_.find(said), std::string::npos) << said;
 }
 
+TEST_F(CorpusRun, CompareNamesScenesThatStandInOneOfTwoOnly) {
+  ASSERT_EQ(bench({"--integrator", "rkc", "--repetitions", "1"}), 0);
+  auto some = rows();
+  std::erase_if(some, [](const CorpusRow& row) { return row.scene == "rod"; });
+  folder_.write("some.csv", corpus_csv(some));
+  testing::internal::CaptureStdout();
+  (void)run_program({"compare", folder_.file("out/corpus.csv"), folder_.file("some.csv")});
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_NE(text.find("only in A: rod\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("only in B"), std::string::npos) << text;
+}
+
 TEST_F(CorpusRun, DoesNotMeasureAgainWhatItHas) {
   ASSERT_EQ(bench({"--integrator", "rkc:rtol=1e-3"}), 0);
   const std::string first = folder_.read("out/corpus.csv");

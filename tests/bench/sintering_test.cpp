@@ -209,6 +209,23 @@ TEST(BenchSintering, LanesMeasureErrorAndWork) {
   EXPECT_EQ(result.cpu_setup, 0.5);
 }
 
+TEST(BenchSintering, AReferenceWithoutAToleranceIsHeldAgainstNoMethod) {
+  const CaseFolder folder;
+  HarnessOptions options;
+  options.integrators = {"exponential:rtol=1e-10", "rkc:rtol=1e-8"};
+  options.reference = "forward-euler";
+  options.repetitions = 1;
+  Progress progress(false);
+  const BenchCase result = bench_thermal_lanes(load_press(small_press(folder)), 0, options, progress);
+  for (const auto& row : result.rows) {
+    EXPECT_TRUE(row.ok()) << row.spec << ": " << row.reason;
+    EXPECT_FALSE(row.errors.delivered) << row.spec;
+  }
+  EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const auto& text) {
+    return text.find("exponential:rtol=1e-10, rkc:rtol=1e-8 keep the tolerance") != std::string::npos;
+  }));
+}
+
 /// Poured and pressed between hot walls; and from rest at 300 K, where nothing but the current heats.
 TEST(BenchSintering, MethodsKeepTheirToleranceOverAllContactUpdatesTogether) {
   const CaseFolder folder;
