@@ -76,14 +76,14 @@ TEST(Toml, WrongTypesAndNonFiniteNumbersAreErrors) {
 }
 
 TEST(Toml, StringsHoldNothingThatSteersATerminal) {
-  for (const char* code : {"\\u0000", "\\u001b[31m", "\\u007f", "\\u009b", "\\b"}) {
+  for (const char* code : {"\\u0000", "\\u001b[31m", "\\u009b", "\\b"}) {
     auto root = TomlTable::parse_text(std::string("a = 1\ntitle = \"red ") + code + "\"\n", "case.toml");
     const auto message = test::message_of<InputError>([&] { static_cast<void>(root.string("title")); });
     EXPECT_EQ(message.rfind("case.toml:2: key 'title'", 0), 0u) << message;
-    EXPECT_EQ(message.find('\x1b'), std::string::npos) << message;
+    for (const char* raw : {"\x1b", "\xc2\x9b"}) EXPECT_EQ(message.find(raw), std::string::npos) << message;
   }
-  auto root = TomlTable::parse_text("title = \"\u00e4 \u2020\\tb\\nc\"\n", "case.toml");
-  EXPECT_EQ(root.string("title"), "\u00e4 \u2020\tb\nc");
+  auto root = TomlTable::parse_text("title = \"\u00e4 \u2020\\tb\\nc\\u007f\"\n", "case.toml");
+  EXPECT_EQ(root.string("title"), "\u00e4 \u2020\tb\nc\x7f");
 }
 
 TEST(Toml, HostileTextIsOneCleanError) {

@@ -98,12 +98,14 @@ std::string_view trimmed(std::string_view text) noexcept {
 std::string in_quotes(std::string_view value) {
   constexpr std::size_t longest = 60;
   std::string out = "'";
+  bool after_c2 = false;  // C1, which steers a terminal as well, is C2 80 to C2 9F in UTF-8
   for (const char c : value.substr(0, longest)) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F)
+    if (byte < 0x20 || byte == 0x7F || (after_c2 && byte < 0xA0))
       out += fmt::format("\\x{:02x}", byte);
     else
       out += c;
+    after_c2 = byte == 0xC2;
   }
   out += value.size() > longest ? "...'" : "'";
   return out;

@@ -29,11 +29,12 @@ std::string shown_node(const toml::node& node) {
   return "a date or time";
 }
 
-/// Apart from tabs and ends of lines: C0, DEL, and C1, which is C2 80 to C2 9F in UTF-8.
+/// What steers a terminal: C0 but for tabs and ends of lines, and C1, which is C2 80 to C2 9F in UTF-8.
+/// Terminals ignore DEL.
 bool holds_control_characters(std::string_view text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     const auto byte = static_cast<unsigned char>(text[k]);
-    if ((byte < 0x20 && text[k] != '\t' && text[k] != '\n' && text[k] != '\r') || byte == 0x7F) return true;
+    if (byte < 0x20 && text[k] != '\t' && text[k] != '\n' && text[k] != '\r') return true;
     const auto next = static_cast<unsigned char>(k + 1 < text.size() ? text[k + 1] : '\0');
     if (byte == 0xC2 && next >= 0x80 && next < 0xA0) return true;
   }
