@@ -7,6 +7,8 @@
 #include <functional>
 #include <iterator>
 
+#include "core/round_marks.hpp"
+
 namespace superstep {
 namespace {
 
@@ -34,14 +36,6 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Distance of round marks that gives some five of them over a span.
-double mark_distance(double span) {
-  const double rough = span / 5, power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (rough <= factor * power) return factor * power;
-  return 10 * power;
-}
-
 /// One panel of the picture: a frame, marks and curves.
 class Panel {
  public:
@@ -53,9 +47,10 @@ class Panel {
         low_ = std::min(low_, curve.value(row));
         high_ = std::max(high_, curve.value(row));
       }
-    const double margin = high_ > low_ ? 0.05 * (high_ - low_) : 0.5;
-    low_ -= margin;
-    high_ += margin;
+    const auto [low, high] = room_for_marks(low_, high_);
+    const double margin = 0.05 * (high - low);
+    low_ = low - margin;
+    high_ = high + margin;
   }
 
   void frame(const char* label) {
@@ -63,14 +58,11 @@ class Panel {
         width - left - right, panel_height);
     put(R"svg(<text x="16" y="{0}" transform="rotate(-90 16 {0})" text-anchor="middle">{1}</text>)svg",
         offset_ + panel_height / 2, label);
-    const double distance = mark_distance(high_ - low_);
-    for (double value = distance * std::ceil(low_ / distance); value <= high_; value += distance)
-      put(R"(<text x="{}" y="{:.1f}" text-anchor="end">{:.4g}</text>)", left - 6, y(value) + 4,
-          std::abs(value) < 1e-9 * distance ? 0.0 : value);
-    const double step = mark_distance(t_end_);
-    for (int k = 0; k * step <= t_end_ * (1 + 1e-9); ++k)
-      put(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{:.3g}</text>)", x(k * step),
-          offset_ + panel_height + 16, k * step);
+    for (const double value : round_marks(low_, high_, round_step(high_ - low_)))
+      put(R"(<text x="{}" y="{:.1f}" text-anchor="end">{:.4g}</text>)", left - 6, y(value) + 4, value);
+    for (const double time : round_marks(0, t_end_, round_step(t_end_)))
+      put(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{:.3g}</text>)", x(time),
+          offset_ + panel_height + 16, time);
   }
 
   void phases(const Press& one, bool named) {

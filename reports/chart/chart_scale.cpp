@@ -5,28 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/round_marks.hpp"
 #include "results/text/html_text.hpp"
 
 namespace superstep {
 namespace {
 
-constexpr double wanted_ticks = 5;
-constexpr int most_decades = 7;  // with a label each
-constexpr double smallest = 1e-300,
-                 largest = 1e300;  // beyond, differences and round numbers are no numbers any more
+constexpr int most_decades = 7;                       // with a label each
+constexpr double smallest = 1e-300, largest = 1e300;  // beyond, round numbers are no numbers any more
 
 /// Labels of decades: all of them powers where there are many.
 std::string decade_text(int power, bool many) {
   if (!many || (power >= 0 && power <= 1)) return number_text(std::pow(10.0, power), 1);
   return power_text(power);
-}
-
-/// 1, 2 or 5 times a power of ten that cuts `span` into about five.
-double round_step(double span) {
-  const double raw = span / wanted_ticks, power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (raw <= factor * power * (1 + 1e-9)) return factor * power;
-  return 10 * power;
 }
 
 }  // namespace
@@ -44,23 +35,13 @@ ChartScale::ChartScale(const ChartAxis& axis, double low, double high, double fi
 }
 
 void ChartScale::make_linear(const ChartAxis& axis) {
-  // What moves by roundings alone is constant: between two such values there is no room for ticks.
-  constexpr double rounding = 1e-12;
-  low_ = std::clamp(low_, -largest, largest);
-  high_ = std::clamp(high_, -largest, largest);
-  const double size = std::max(std::abs(low_), std::abs(high_));
-  if (!(high_ - low_ > std::max(rounding * size, smallest))) {
-    const double margin = size > smallest ? 0.1 * size : 1;
-    low_ -= margin;
-    high_ += margin;
-  }
+  const auto range = room_for_marks(low_, high_);
+  low_ = range.low;
+  high_ = range.high;
   const double step = round_step(high_ - low_);
   if (!axis.low) low_ = step * std::floor(low_ / step + 1e-9);
   if (!axis.high) high_ = step * std::ceil(high_ / step - 1e-9);
-  for (double k = std::ceil(low_ / step - 1e-9); k * step <= high_ + 1e-9 * step; ++k) {
-    const double value = k == 0 ? 0 : k * step;
-    ticks_.push_back({value, number_text(value, 4)});
-  }
+  for (const double value : round_marks(low_, high_, step)) ticks_.push_back({value, number_text(value, 4)});
 }
 
 void ChartScale::make_logarithmic(const ChartAxis& axis) {
@@ -71,9 +52,8 @@ void ChartScale::make_logarithmic(const ChartAxis& axis) {
   if (decades < 1) {  // less than a decade: round numbers inside it
     low_ /= axis.low ? 1 : 1.15;
     high_ *= axis.high ? 1 : 1.15;
-    const double step = round_step(high_ - low_);
-    for (double k = std::ceil(low_ / step); k * step <= high_; ++k)
-      ticks_.push_back({k * step, number_text(k * step, 4)});
+    for (const double value : round_marks(low_, high_, round_step(high_ - low_)))
+      ticks_.push_back({value, number_text(value, 4)});
     return;
   }
   const int first = static_cast<int>(std::floor(std::log10(low_) + 1e-9));

@@ -125,6 +125,43 @@ TEST(RunSintering, FailureKeepsWhatWasReached) {
   EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 2) << "steps that went well";
 }
 
+/// The marks of an axis ran on for ever, and so did the memory of the figure.
+TEST(RunSintering, TemperaturesThatDifferByOneRoundingAreDrawn) {
+  const CaseFolder folder;
+  RunCommand command;
+  command.case_file = folder.write("rest.toml", R"(
+t_end = 1e-3
+[material]
+density = 2000.0
+[thermal]
+conductivity = 100.0
+specific_heat = 100.0
+initial = 300.0
+walls = 300.0
+walls_conduct = false
+[dynamics]
+gravity = 0.0
+[dynamics.box]
+min = [0.0, 0.0, 0.0]
+max = [0.3, 0.3, 0.3]
+[dynamics.particles]
+list = [ { position = [0.1, 0.1, 0.15], radius = 0.05, temperature = 300.00000000000006 }, { position = [0.2, 0.2, 0.225], radius = 0.05 } ]
+[dynamics.contact]
+stiffness = 1e7
+[dynamics.wall]
+stiffness = 1e7
+[[dynamics.phases]]
+name = "rest"
+until = 1e-3
+)");
+  command.out = folder.file("out");
+  command.common.quiet = true;
+  ASSERT_EQ(quietly([&] { return execute(command); }), 0);
+  const std::string figure = folder.read("out/history.svg");
+  EXPECT_LT(figure.size(), 20000U);
+  EXPECT_NE(figure.find(">300</text>"), std::string::npos) << figure;
+}
+
 TEST(RunSintering, CurrentWithoutAPathIsAWarning) {
   const CaseFolder folder;
   RunCommand command = run_of(folder, "out");
