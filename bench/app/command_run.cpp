@@ -160,7 +160,7 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
     else
       remove_vtk_series(folders[k]);
     const FinishedRun run = integrate(scene, probes, specs[k], progress, vtk ? &*vtk : nullptr, command);
-    RunRecord record = record_run(scene, specs[k], run.result);
+    RunRecord record = record_run(scene, specs[k], run.result, run.final_state);
     record.cpu_setup = cpu_setup;
     record.threads = command.common.threads;
     if (run.check) add_check(*run.check, record);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <vector>
 
 #include "bench/host/machine.hpp"
@@ -47,13 +48,15 @@ void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& hist
   append(out, "\n");
 }
 
-/// Resistance, current and heat of a scene whose potential is steady: they cost one solve more.
-std::optional<SteadyCurrent> steady_current(const Scene& scene) {
+/// Resistance, current and heat of a scene whose potential is steady, as it ends: they cost one solve more.
+std::optional<SteadyCurrent> steady_current(const Scene& scene, const RunResult& run,
+                                            std::span<const double> final_state) {
   for (const auto& field : scene.fields) {
-    if (!field.steady) continue;
-    const auto facts = electrode_facts(field);
+    if (!field.steady || !run.outcome.ok()) continue;
+    const auto facts = electrode_facts(field, field_at(scene, field, run.t_reached, final_state));
     if (!facts) return std::nullopt;
-    return SteadyCurrent{facts->voltage, facts->current_in, facts->current_out, facts->resistance,
+    return SteadyCurrent{facts->voltage, facts->current_in, facts->current_out,
+                         facts->resistance.value_or(std::numeric_limits<double>::infinity()),
                          facts->joule_heat};
   }
   return std::nullopt;
@@ -114,7 +117,8 @@ std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, doub
   return fmt::to_string(out);
 }
 
-RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult& run) {
+RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult& run,
+                     std::span<const double> final_state) {
   return {.version = program_version(),
           .revision = program_revision(),
           .case_name = scene.name,
@@ -144,7 +148,7 @@ RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult
           .spans = run.spans,
           .cpu_pilot = run.cpu_pilot,
           .settled_at = run.settled_at,
-          .electrodes = steady_current(scene),
+          .electrodes = steady_current(scene, run, final_state),
           .max_stages = run.statistics.max_stages,
           .cpu_prepare = run.cpu_prepare,
           .cpu_stepping = run.cpu_stepping,

@@ -23,7 +23,8 @@ void write_final_csv(const Scene& scene, double t, std::span<const double> state
 [[nodiscard]] std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, double t_end);
 
 /// What run.json says; set-up time, threads and files are filled in by those who know them.
-[[nodiscard]] RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult& run);
+[[nodiscard]] RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult& run,
+                                   std::span<const double> final_state);
 
 /// Removes run.json, which speaks for the other files, before the first of them changes.
 void begin_run_files(const std::string& folder) noexcept;

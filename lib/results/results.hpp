@@ -119,11 +119,11 @@ struct BenchReport {
   std::vector<BenchCase> cases;
 };
 
-/// What a steady current between two electrodes does.
+/// What a steady current between two electrodes does at the end of a run.
 struct SteadyCurrent {
   double voltage = 0;                      ///< V
   double current_in = 0, current_out = 0;  ///< A
-  double resistance = 0;                   ///< Ohm; infinite when no current flows
+  double resistance = 0;                   ///< Ohm; infinite when there is none
   double joule_heat = 0;                   ///< W
 };
 

@@ -72,6 +72,8 @@ void write_network(Text& text, const FieldHealth& field) {
   text.heading(fmt::format("Network ({})", field.name));
   text.row("nodes", "{} ({} free, {} fixed, {} idle{})", field.nodes, field.free, field.fixed, field.idle,
            field.eliminated > 0 ? fmt::format(", {} eliminated", field.eliminated) : "");
+  if (!field.temperatures.empty())
+    text.row("conductivities", "those of the temperatures at the start, {}", field.temperatures);
   text.row("edges", "{}, conductance {:.3g} to {:.3g} {}", field.edges, field.conductance_min,
            field.conductance_max, field.name == "temperature" ? "W/K" : "S");
   text.row("coordination", "mean {:.2f}, {} to {}", field.coordination_mean, field.coordination_min,
@@ -92,9 +94,14 @@ void write_network(Text& text, const FieldHealth& field) {
   const auto& electrodes = *field.electrodes;
   text.row("electrodes", "{:.4g} V, {:.6g} A in, {:.6g} A out", electrodes.voltage, electrodes.current_in,
            electrodes.current_out);
-  text.row("resistance", "{:.6g} Ohm", electrodes.resistance);
-  text.row("Joule heat of the steady current", "{:.6g} W (V I = {:.6g} W)", electrodes.joule_heat,
-           electrodes.voltage * electrodes.current_in);
+  if (electrodes.resistance) {
+    text.row("resistance", "{:.6g} Ohm", *electrodes.resistance);
+    text.row("Joule heat of the steady current", "{:.6g} W (V I = {:.6g} W)", electrodes.joule_heat,
+             electrodes.voltage * electrodes.current_in);
+  } else {
+    text.row("resistance", "none: sources feed a current in between the electrodes");
+    text.row("Joule heat of the steady current", "{:.6g} W", electrodes.joule_heat);
+  }
 }
 
 void write_spectrum(Text& text, const FieldHealth& field) {
@@ -115,9 +122,17 @@ void write_spectrum(Text& text, const FieldHealth& field) {
   const auto step = [&](std::string_view label, double value, std::string_view note) {
     text.row(label, "{:.5g} s = {:.3f} of the true limit{}", value, value / truth, note);
   };
-  text.row("true critical step 2/lambda_max", "{:.5g} s", truth);
-  step("certified: edge bound", 2 / field.edge_bound, "");
-  step("certified: Gershgorin", 2 / field.gershgorin, "");
+  if (field.jacobian_bound) {
+    text.row("critical step 2/lambda_max", "{:.5g} s, of the conductances at the start ({})", truth,
+             field.temperatures.empty() ? "those of this field are constant" : field.temperatures);
+    step("certified at the start", field.certified_step(), ", of the Jacobian with the slopes of the laws");
+    step("edge bound", 2 / field.edge_bound, ", of the conductances at the start");
+    step("Gershgorin", 2 / field.gershgorin, ", of the conductances at the start");
+  } else {
+    text.row("true critical step 2/lambda_max", "{:.5g} s", truth);
+    step("certified: edge bound", 2 / field.edge_bound, "");
+    step("certified: Gershgorin", 2 / field.gershgorin, "");
+  }
   step("pairwise without interface", field.pair_step_bare, ", not a bound (alpha refers to it)");
   step("pairwise with interface", field.pair_step_full, ", not a bound");
   const double alpha = truth / field.pair_step_bare;
@@ -157,7 +172,7 @@ nlohmann::json electrodes_json(const ElectrodeFacts& facts) {
   return {{"voltage_v", facts.voltage},
           {"current_in_a", facts.current_in},
           {"current_out_a", facts.current_out},
-          {"resistance_ohm", finite_or_null(facts.resistance)},
+          {"resistance_ohm", optional_number(facts.resistance)},
           {"joule_heat_w", facts.joule_heat}};
 }
 
@@ -168,6 +183,7 @@ nlohmann::json stiffness_json(const FieldHealth& field) {
           {"critical_step", finite_or_null(field.critical_step())},
           {"edge_bound", field.edge_bound},
           {"gershgorin_bound", field.gershgorin},
+          {"jacobian_bound", optional_number(field.jacobian_bound)},
           {"certified_step", finite_or_null(field.certified_step())},
           {"pair_step_without_interface", finite_or_null(field.pair_step_bare)},
           {"pair_step_with_interface", finite_or_null(field.pair_step_full)}};
@@ -177,6 +193,8 @@ nlohmann::json field_json(const FieldHealth& field) {
   nlohmann::json json = {
       {"field", field.name},
       {"unit", field.unit},
+      {"conductivities_at",
+       field.temperatures.empty() ? nlohmann::json(nullptr) : nlohmann::json(field.temperatures)},
       {"nodes", field.nodes},
       {"edges", field.edges},
       {"free", field.free},

@@ -30,11 +30,12 @@ RunResult run_with_probes(const Scene& scene, const std::string& spec) {
   return run_one(scene, spec, {.probes = &probes});
 }
 
-nlohmann::json record(const Scene& scene, const std::string& spec, const RunResult& run) {
+nlohmann::json record(const Scene& scene, const std::string& spec, const RunResult& run,
+                      std::span<const double> state) {
   const test::CaseFolder out;
   const ProbeSet probes(scene);
   return nlohmann::json::parse(
-      write_run_files(out.file("."), scene, probes, run, scene.initial, record_run(scene, spec, run)));
+      write_run_files(out.file("."), scene, probes, run, state, record_run(scene, spec, run, state)));
 }
 
 TEST(SteadyRun, AFieldAloneIsSolvedForAndNothingIsIntegrated) {
@@ -45,7 +46,7 @@ TEST(SteadyRun, AFieldAloneIsSolvedForAndNothingIsIntegrated) {
     ASSERT_TRUE(run.outcome.ok()) << spec << ": " << run.outcome.reason;
     EXPECT_EQ(run.t_reached, 1.0);
     EXPECT_EQ(run.sweeps, 0U);
-    EXPECT_EQ(record(scene, spec, run)["unknowns"], 0);
+    EXPECT_EQ(record(scene, spec, run, scene.initial)["unknowns"], 0);
   }
   const std::string csv = final_csv(scene, 1.0, {});
   EXPECT_NE(csv.find("potential"), std::string::npos);
@@ -57,12 +58,36 @@ TEST(SteadyRun, RecordsWhatTheElectrodesDo) {
       load_scene(write_row(folder, "[thermal]\nconductivity = 50.0\nspecific_heat = 500.0\n"));
   const RunResult run = run_with_probes(scene, "auto");
   ASSERT_TRUE(run.outcome.ok()) << run.outcome.reason;
-  const auto json = record(scene, "auto", run);
+  const auto json = record(scene, "auto", run, scene.initial);
   const double current = json["electrodes"]["current_in_a"], heat = json["electrodes"]["joule_heat_w"];
   EXPECT_GT(current, 0);
   EXPECT_NEAR(heat / current, 1.0, 1e-10);  // V I = heat, V = 1
   EXPECT_EQ(json["counts"]["potential_solves"],
             0);  // one solve when the scene was built, none while integrating
+}
+
+/// Hot ends conduct better than the start did, and the voltage has risen.
+TEST(SteadyRun, TheElectrodesAreThoseOfTheEnd) {
+  const test::CaseFolder folder;
+  write_row(folder, "");
+  std::string text = folder.read("row.toml");
+  const auto put = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  put("value = 1.0 }", "value = { times = [0, 1], values = [0, 2] } }");
+  put("conductivity = 1e5",
+      "conductivity = { law = \"linear\", value = 1e5, coefficient = 0.01, reference = 300.0 }");
+  const Scene scene = load_scene(folder.write(
+      "hot.toml", text + "[thermal]\nconductivity = 50.0\nspecific_heat = 500.0\ninitial = 300.0\n"));
+  RunResult run;
+  run.t_reached = 1.0;
+  std::vector<double> state = scene.initial;
+  for (std::size_t k = 0; k < state.size(); ++k) state[k] += 20.0 * static_cast<double>(k);
+  const auto electrodes = record_run(scene, "auto", run, state).electrodes;
+  ASSERT_TRUE(electrodes);
+  EXPECT_EQ(electrodes->voltage, 2.0);
+  EXPECT_NEAR(electrodes->joule_heat / scene.rhs->inflow(1.0, state), 1, 1e-5)
+      << "solved for anew where a conductivity has changed by 1e-6";
 }
 
 TEST(SteadyRun, ARefusalIsAnOutcomeOfAnyMethod) {
@@ -73,7 +98,7 @@ TEST(SteadyRun, ARefusalIsAnOutcomeOfAnyMethod) {
       "}\nspecific_heat = 500.0\n"));
   const RunResult run = run_with_probes(scene, "exponential");
   EXPECT_EQ(run.outcome.status, Status::refused);
-  EXPECT_EQ(record(scene, "exponential", run)["outcome"]["status"], "refused");
+  EXPECT_EQ(record(scene, "exponential", run, scene.initial)["outcome"]["status"], "refused");
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST(ProbesCsv, AProbeOnAFixedNodeIsConstant) {
 TEST_F(RodRun, WritesItsFilesAndRemovesStaleOnes) {
   const std::string out = folder_.file("out");
   const RunResult good = run("forward-euler");
-  write_run_files(out, scene_, probes_, good, last_, record_run(scene_, "forward-euler", good));
+  write_run_files(out, scene_, probes_, good, last_, record_run(scene_, "forward-euler", good, last_));
   EXPECT_TRUE(folder_.has("out/final.csv") && folder_.has("out/probes.csv") && folder_.has("out/run.json"));
   const auto json = nlohmann::json::parse(folder_.read("out/run.json"));
   EXPECT_EQ(json.at("outcome").at("status"), "ok");
@@ -150,7 +150,7 @@ TEST_F(RodRun, WritesItsFilesAndRemovesStaleOnes) {
   EXPECT_EQ(json.at("files"), (std::vector<std::string>{"final.csv", "probes.csv", "run.json"}));
 
   const RunResult bad = run("forward-euler:step=0.7");
-  write_run_files(out, scene_, probes_, bad, last_, record_run(scene_, "forward-euler:step=0.7", bad));
+  write_run_files(out, scene_, probes_, bad, last_, record_run(scene_, "forward-euler:step=0.7", bad, last_));
   EXPECT_FALSE(folder_.has("out/final.csv") || folder_.has("out/probes.csv"));
   EXPECT_EQ(nlohmann::json::parse(folder_.read("out/run.json")).at("outcome").at("status"), "unstable");
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "case/checks/effective.hpp"
+#include "case/checks/health.hpp"
 #include "case/scene.hpp"
 #include "core/error.hpp"
 #include "support/temporary_folder.hpp"
@@ -79,11 +80,79 @@ TEST_F(ThermoelectricCase, SteadyPotentialIsSolvedOnceAndHeatsAtAConstantRate) {
   // Five equal branches: V I = 1/(5 R).
   const double conductance = scene.fields[0].graph.conductance[0];
   EXPECT_NEAR(scene.rhs->inflow(0, scene.initial), conductance / 5, 1e-10 * conductance);
-  const auto facts = electrode_facts(scene.fields[0]);
-  ASSERT_TRUE(facts);
-  EXPECT_NEAR(facts->resistance, 5 / conductance, 1e-10 / conductance);
+  const auto facts = electrode_facts(scene.fields[0], field_at_start(scene, scene.fields[0]));
+  ASSERT_TRUE(facts && facts->resistance);
+  EXPECT_NEAR(*facts->resistance, 5 / conductance, 1e-10 / conductance);
   EXPECT_NEAR(facts->current_in, facts->current_out, 1e-10 * facts->current_in);
   EXPECT_NEAR(facts->joule_heat, facts->voltage * facts->current_in, 1e-10 * facts->joule_heat);
+}
+
+/// The right-hand side heats by what flows, and shares no code with the facts.
+TEST_F(ThermoelectricCase, ElectrodesConductAsTheTemperaturesAtTheStartLet) {
+  const std::string feed = "source = [ { where = { ids = [2] }, value = 5.0 } ]\n";
+  const std::string ramp =
+      "fixed = [ { where = { ids = [5] }, value = { times = [0, 1], values = [1, 3] } }, { where = { ids = "
+      "[0] }, value = { times = [0, 1], values = [0, -1] } } ]\n";
+  for (const std::string law :
+       {"1e5", "{ law = \"sigmoid\", value = 1e4, amplitude = 9.0, steepness = 0.1, reference = 350.0 }",
+        "{ law = \"linear\", value = 1e5, coefficient = 0.01, reference = 300.0 }",
+        "{ law = \"table\", temperatures = [200.0, 600.0], values = [1e4, 3e5] }"})
+    for (const bool fed : {false, true})
+      for (const auto& fixed : {electrodes, ramp}) {
+        const Scene scene =
+            load(with("mode = \"steady\"\nconductivity = " + law + "\n" + fixed + (fed ? feed : ""),
+                      heat + "initial = 400.0\n"));
+        const auto& field = scene.fields[0];
+        const auto state = field_at_start(scene, field);
+        const auto facts = electrode_facts(field, state);
+        ASSERT_TRUE(facts) << law;
+        const double joule = scene.rhs->inflow(0, scene.initial);
+        EXPECT_NEAR(facts->joule_heat / joule, 1, 1e-8) << law << fed;
+        EXPECT_EQ(state.temperatures, law == "1e5" ? "" : "400 K");
+        EXPECT_EQ(facts->resistance.has_value(), !fed) << law;
+        EXPECT_NEAR(facts->current_out - facts->current_in, fed ? 5 : 0, 1e-8 * facts->current_out) << law;
+        const auto effective = effective_conductivity(scene, field);
+        EXPECT_EQ(effective.value.has_value(), !fed) << law;
+        EXPECT_EQ(effective.note.find("sources feed") != std::string::npos, fed) << effective.note;
+        if (fed) continue;
+        EXPECT_NEAR(*facts->resistance * joule, 1, 1e-8) << "V = 1: R = V^2/P";
+        EXPECT_NEAR(effective.flow / joule, 1, 1e-8) << law;
+      }
+}
+
+/// A case with the laws' values at the start as constants has the same conductances there.
+TEST_F(ThermoelectricCase, StiffnessIsThatOfTheTemperaturesAtTheStart) {
+  const std::string rest =
+      "specific_heat = 500.0\ninitial = 400.0\nfixed = [ { where = { ids = [0, 6] }, value = 400.0 } ]\n";
+  const Scene constant = load(with("", "conductivity = 100.0\n" + rest));
+  const FieldHealth expected = assess_network(constant).fields.front();
+  EXPECT_FALSE(expected.jacobian_bound);
+  for (const char* law : {"{ law = \"linear\", value = 50.0, coefficient = 0.01, reference = 300.0 }",
+                          "{ law = \"table\", temperatures = [200.0, 600.0], values = [1.0, 199.0] }"}) {
+    const Scene scene = load(with("", std::string("conductivity = ") + law + "\n" + rest));
+    const FieldHealth found = assess_network(scene).fields.front();
+    EXPECT_EQ(found.temperatures, "400 K");
+    EXPECT_NEAR(found.lambda_max / expected.lambda_max, 1, 1e-6) << law;
+    EXPECT_NEAR(found.edge_bound / expected.edge_bound, 1, 1e-12) << law;
+    EXPECT_NEAR(found.gershgorin / expected.gershgorin, 1, 1e-12) << law;
+    EXPECT_NEAR(*found.lambda_min / *expected.lambda_min, 1, 1e-6) << law;
+    EXPECT_NEAR(found.pair_step_bare / expected.pair_step_bare, 1, 1e-12) << law;
+    EXPECT_NEAR(*found.lumping_median / *expected.lumping_median, 1, 1e-12) << law;
+    ASSERT_TRUE(found.jacobian_bound);
+    EXPECT_DOUBLE_EQ(found.certified_step(), 2 / scene.rhs->spectral_bound(0, scene.initial));
+  }
+}
+
+/// They radiate so much more than they conduct that 4 e sigma A T^3/C is the fastest rate.
+TEST_F(ThermoelectricCase, RadiationLimitsStepsToo) {
+  const Scene scene = load(with("",
+                                "conductivity = 1e-9\nspecific_heat = 500.0\ninitial = 1000.0\nradiation = [ "
+                                "{ where = \"all\", emissivity = "
+                                "1.0, ambient = 300.0 } ]\n"));
+  const FieldHealth found = assess_network(scene).fields.front();
+  const double rate = 4 * 5.670374419e-8 * 1e9 * 4 * 0.25e-6 / (5000.0 * 500.0 * 4.0 / 3.0 * 0.125e-9);
+  EXPECT_NEAR(found.lambda_max / rate, 1, 1e-5);
+  EXPECT_GE(std::min(found.edge_bound, found.gershgorin), found.lambda_max * (1 - 1e-9));
 }
 
 /// The row's electrodes differ later; the pair apart is held at another potential.

@@ -94,14 +94,12 @@ std::string box_words(const Packing& packing, int axis) {
              : "the bounding box of all surfaces";
 }
 
-/// Steady values on all nodes, of fixed values alone. Throws NumericalError.
-std::vector<double> steady_values(const Graph& graph) {
+/// Steady values on all nodes, of fixed values and sources alone. Throws NumericalError.
+std::vector<double> steady_values(const Graph& graph, const std::vector<NodeRole>& roles) {
   Graph bare = graph;
-  bare.source.assign(graph.nodes(), 0.0);
-  bare.tabled_sources.clear();
   bare.convection.clear();
   bare.radiation.clear();
-  const Network network = build_network(bare, steady_roles(graph));
+  const Network network = build_network(bare, roles);
   const auto solution = steady_state(network);
   std::vector<double> value(graph.nodes(), 0.0);
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
@@ -137,22 +135,27 @@ std::set<double> fixed_levels(const Graph& graph) {
 
 }  // namespace
 
-std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field) {
-  const auto& graph = field.graph;
+std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field, const FieldAtState& state) {
+  const auto& graph = state.graph;
   const auto levels = fixed_levels(graph);
   if (field.name != "potential" || levels.size() != 2) return std::nullopt;
   const double low = *levels.begin(), high = *levels.rbegin();
   try {
-    const auto value = steady_values(graph);
-    const bool joined = are_joined(graph, low, high);
+    const auto roles = steady_roles(graph);
+    const auto value = steady_values(graph, roles);
+    const bool fed = state.has_sources();
+    const bool flows = fed || are_joined(graph, low, high);
     ElectrodeFacts facts{.voltage = high - low,
-                         .current_in = joined ? flow_from(graph, value, high) : 0,
-                         .current_out = joined ? -flow_from(graph, value, low) : 0};
-    facts.resistance =
-        facts.current_in > 0 ? facts.voltage / facts.current_in : std::numeric_limits<double>::infinity();
+                         .current_in = flows ? flow_from(graph, value, high) : 0,
+                         .current_out = flows ? -flow_from(graph, value, low) : 0,
+                         .resistance = std::nullopt};
+    if (!fed)
+      facts.resistance =
+          facts.current_in > 0 ? facts.voltage / facts.current_in : std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < graph.edges(); ++k) {
-      const double dv =
-          value[static_cast<std::size_t>(graph.j[k])] - value[static_cast<std::size_t>(graph.i[k])];
+      const auto i = static_cast<std::size_t>(graph.i[k]), j = static_cast<std::size_t>(graph.j[k]);
+      if (roles[i] == NodeRole::idle) continue;  // and its neighbour is, too: they have no steady state
+      const double dv = value[j] - value[i];
       facts.joule_heat += graph.conductance[k] * dv * dv;
     }
     return facts;
@@ -162,13 +165,19 @@ std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field) {
 }
 
 EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field) {
+  return effective_conductivity(scene, field_at_start(scene, field));
+}
+
+EffectiveConductivity effective_conductivity(const Scene& scene, const FieldAtState& state) {
   EffectiveConductivity out;
-  const auto& graph = field.graph;
+  const auto& graph = state.graph;
   const auto levels = fixed_levels(graph);
   if (!scene.packed)
     out.note = "a network without coordinates has no cross-section";
   else if (levels.size() != 2)
     out.note = "it needs two layers with two different fixed values";
+  else if (state.has_sources())
+    out.note = "sources feed particles, so that what enters at one layer is not what leaves at the other";
   if (!out.note.empty()) return out;
 
   const double low = *levels.begin(), high = *levels.rbegin();
@@ -186,7 +195,7 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
     return out;
   }
   try {
-    const auto value = steady_values(graph);
+    const auto value = steady_values(graph, steady_roles(graph));
     out.flow = flow_from(graph, value, high);
   } catch (const NumericalError& error) {
     out.note = error.what();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "case/checks/field_at_state.hpp"
 #include "case/scene.hpp"
 
 namespace superstep {
@@ -18,20 +19,25 @@ struct EffectiveConductivity {
   std::string advice;           ///< to the author of the case, about the cross-section
 };
 
-/// What a steady current between two electrodes does, at the conductivities' reference values.
+/// What a steady current between two electrodes does, at the conductances of one state and with the sources
+/// of its time.
 struct ElectrodeFacts {
   double voltage = 0;                      ///< V, between the two fixed potentials
   double current_in = 0, current_out = 0;  ///< A, at the higher and at the lower potential
-  double resistance = 0;                   ///< Ohm; infinite when no current flows
-  double joule_heat = 0;                   ///< W, summed over the branches; equals voltage times current
+  /// Ohm; infinite when no current flows, absent where sources feed the network between the electrodes.
+  std::optional<double> resistance;
+  double joule_heat = 0;  ///< W, summed over the branches; without sources voltage times current
 };
 
-/// Facts of the electric field between exactly two distinct fixed potentials without current sources; nothing
-/// for other fields. Throws nothing: a network that cannot be solved has no facts.
-[[nodiscard]] std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field);
+/// Facts of the electric field between exactly two distinct fixed potentials; nothing for other fields.
+/// Throws nothing: a network that cannot be solved has no facts.
+[[nodiscard]] std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field,
+                                                            const FieldAtState& state);
 
-/// k = q L / (A dT) from a steady solve; 0 where no path of contacts joins the two layers. Needs a packing
-/// and exactly two distinct fixed values.
+/// k = q L / (A dT) from a steady solve of conduction alone; 0 where no path of contacts joins the two
+/// layers. Needs a packing, exactly two distinct fixed values and no sources.
+[[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldAtState& state);
+/// The same at the start of the scene.
 [[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field);
 
 }  // namespace superstep

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "case/checks/effective.hpp"
 #include "core/error.hpp"
@@ -51,15 +52,15 @@ PackingHealth assess_packing(const PackingScene& packed) {
 }
 
 /// Median of K_ij / (pi kappa R_min) with the harmonic mean of the two conductivities.
-double lumping_ratio(const Packing& packing, const FieldScene& field) {
+double lumping_ratio(const Packing& packing, const FieldAtState& state) {
   std::vector<double> ratio;
-  for (std::size_t k = 0; k < field.graph.edges(); ++k) {
-    const auto i = static_cast<std::size_t>(field.graph.i[k]), j = static_cast<std::size_t>(field.graph.j[k]);
-    const double kappa_i = field.laws.of_node(static_cast<std::int32_t>(i)).value;
-    const double kappa_j = field.laws.of_node(static_cast<std::int32_t>(j)).value;
+  const auto& graph = state.graph;
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    const auto i = static_cast<std::size_t>(graph.i[k]), j = static_cast<std::size_t>(graph.j[k]);
+    const double kappa_i = state.conductivity[i], kappa_j = state.conductivity[j];
     const double kappa = 2 * kappa_i * kappa_j / (kappa_i + kappa_j);
     const double radius = std::min(packing.radius[i], packing.radius[j]);
-    ratio.push_back(field.graph.conductance[k] / (std::numbers::pi * kappa * radius));
+    ratio.push_back(graph.conductance[k] / (std::numbers::pi * kappa * radius));
   }
   return quantile(ratio, 0.5);
 }
@@ -71,8 +72,7 @@ void leave_out(const std::vector<AlgebraicNode>& eliminated, std::vector<std::si
   std::erase(degree, none);
 }
 
-void count_nodes(const FieldScene& field, FieldHealth& health) {
-  const auto& graph = field.graph;
+void count_nodes(const FieldScene& field, const Graph& graph, FieldHealth& health) {
   std::vector<std::size_t> degree(graph.nodes(), 0);
   bool first = true;
   for (std::size_t k = 0; k < graph.edges(); ++k) {
@@ -127,13 +127,27 @@ void find_lambda_min(const Network& network, FieldHealth& health) {
   }
 }
 
-void assess_stiffness(const FieldScene& field, FieldHealth& health) {
-  health.pair_step_bare = min_pair_step(field.graph, field.roles, field.bare_conductance());
-  health.pair_step_full = min_pair_step(field.graph, field.roles, field.graph.conductance);
-  const Network network = build_network(field.graph, field.roles);
+/// Radiation as it acts on small changes: 4 c T^3 for each c (T^4 - ambient^4).
+void linearise_radiation(std::span<const double> temperature, Graph& graph) {
+  for (const auto& [node, coefficient, ambient, table] : graph.radiation) {
+    const double t = temperature[static_cast<std::size_t>(node)];
+    graph.convection.push_back({node, 4 * coefficient * t * t * t, ambient, table});
+  }
+  graph.radiation.clear();
+}
+
+void assess_stiffness(const Scene& scene, std::size_t f, FieldAtState state, FieldHealth& health) {
+  const auto& field = scene.fields[f];
+  health.pair_step_bare = min_pair_step(state.graph, field.roles, state.bare);
+  health.pair_step_full = min_pair_step(state.graph, field.roles, state.graph.conductance);
+  if (!state.graph.radiation.empty())
+    linearise_radiation(scene.values_on_nodes(f, 0, scene.initial), state.graph);
+  const Network network = build_network(state.graph, field.roles);
   const SpectralBounds bounds = spectral_bounds(network);
   health.edge_bound = bounds.edge;
   health.gershgorin = bounds.gershgorin;
+  if (!scene.rhs->traits().constant_blocks)
+    health.jacobian_bound = scene.rhs->spectral_bound(0, scene.initial);
   find_lambda_min(network, health);
   NetworkRhs rhs(network, field.name, field.unit, health.pair_step_bare);
   const auto estimate = estimate_spectral_radius(rhs, {.tolerance = 1e-5, .fewest = 20, .most = 400});
@@ -141,34 +155,37 @@ void assess_stiffness(const FieldScene& field, FieldHealth& health) {
   health.lambda_max_residual = estimate.residual;
 }
 
-FieldHealth assess_field(const Scene& scene, const FieldScene& field) {
+FieldHealth assess_field(const Scene& scene, std::size_t f) {
+  const auto& field = scene.fields[f];
+  FieldAtState state = field_at_start(scene, field);
   FieldHealth health;
   health.name = field.name;
   health.unit = field.unit;
   health.steady = field.steady;
-  count_nodes(field, health);
-  if (scene.packed) health.lumping_median = lumping_ratio(scene.packed->packing, field);
-  const auto effective = effective_conductivity(scene, field);
+  health.temperatures = state.temperatures;
+  count_nodes(field, state.graph, health);
+  if (scene.packed) health.lumping_median = lumping_ratio(scene.packed->packing, state);
+  const auto effective = effective_conductivity(scene, state);
   health.effective_conductivity = effective.value;
   health.effective_note = effective.note;
   health.effective_basis = effective.basis + (effective.advice.empty() ? "" : "; " + effective.advice);
   health.effective_length = effective.length;
   health.effective_area = effective.area;
-  health.electrodes = electrode_facts(field);
-  if (!field.steady) assess_stiffness(field, health);
+  health.electrodes = electrode_facts(field, state);
+  if (!field.steady) assess_stiffness(scene, f, std::move(state), health);
   return health;
 }
 
 }  // namespace
 
 double FieldHealth::certified_step() const noexcept {
-  return 2 / std::min(edge_bound, gershgorin);
+  return 2 / jacobian_bound.value_or(std::min(edge_bound, gershgorin));
 }
 
 NetworkHealth assess_network(const Scene& scene) {
   NetworkHealth health;
   if (scene.packed) health.packing = assess_packing(*scene.packed);
-  for (const auto& field : scene.fields) health.fields.push_back(assess_field(scene, field));
+  for (std::size_t f = 0; f < scene.fields.size(); ++f) health.fields.push_back(assess_field(scene, f));
   return health;
 }
 

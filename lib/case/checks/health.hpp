@@ -13,6 +13,9 @@ namespace superstep {
 struct FieldHealth {
   std::string name, unit;
   bool steady = false;  ///< solved for: it has no capacities, so that nothing below is said of stiffness
+  /// "300 to 400 K": the temperatures at the start, which everything below is for; empty where conductivities
+  /// do not follow them.
+  std::string temperatures;
   std::size_t nodes = 0, edges = 0, free = 0, fixed = 0, idle = 0, eliminated = 0;
   std::size_t components = 0, floating = 0, idle_clusters = 0, isolated = 0;
   double coordination_mean = 0;
@@ -20,7 +23,10 @@ struct FieldHealth {
   double pair_step_bare = 0;              ///< s, particle contributions only
   double pair_step_full = 0;              ///< s, with the interface term
   double edge_bound = 0, gershgorin = 0;  ///< 1/s
-  double lambda_max = 0;                  ///< 1/s, Lanczos
+  /// 1/s, of the Jacobian of the whole scene at its start; only where conductivities follow the temperature,
+  /// so that there is more to it than the conductances of which the two bounds are.
+  std::optional<double> jacobian_bound;
+  double lambda_max = 0;  ///< 1/s, Lanczos, of the conductances and what convects and radiates
   double lambda_max_residual = 0;
   std::optional<double>
       lambda_min;  ///< 1/s, shift-invert Lanczos; absent when a cluster floats or the fill is too large
@@ -51,7 +57,7 @@ struct NetworkHealth {
   std::vector<FieldHealth> fields;
 };
 
-/// Computes everything; costs some tens of sweeps and one factorization per field.
+/// Computes everything at the start of the scene; costs some tens of sweeps and one factorization per field.
 [[nodiscard]] NetworkHealth assess_network(const Scene& scene);
 
 }  // namespace superstep

@@ -10,7 +10,8 @@ const RecordFields<SteadyCurrent>& fields_of<SteadyCurrent>() {
       field("voltage_v", &SteadyCurrent::voltage, "V"),
       field("current_in_a", &SteadyCurrent::current_in, "A"),
       field("current_out_a", &SteadyCurrent::current_out, "A"),
-      field("resistance_ohm", &SteadyCurrent::resistance, "Ohm; null when no current flows"),
+      field("resistance_ohm", &SteadyCurrent::resistance,
+            "Ohm; null when no current flows, or where sources feed one in between the electrodes"),
       field("joule_heat_w", &SteadyCurrent::joule_heat, "W"),
   };
   return fields;
