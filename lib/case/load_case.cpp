@@ -5,6 +5,7 @@
 
 #include "case/case.hpp"
 #include "case/corpus/corpus_tags.hpp"
+#include "case/inputs/workable_times.hpp"
 #include "core/error.hpp"
 #include "core/text/options.hpp"
 #include "core/text/text_file.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 void read_times(TomlTable& root, CaseHead& head) {
   head.t_end = root.positive("t_end", "s");
+  if (const auto rule = unworkable_time("the end", head.t_end); !rule.empty())
+    root.require("t_end", "s").reject(rule);
   head.output_times = {head.t_end};
   const auto times = root.find("output_times");
   if (!times) return;
@@ -24,6 +27,7 @@ void read_times(TomlTable& root, CaseHead& head) {
   double previous = 0;
   for (const double t : head.output_times) {
     if (!(t > previous)) times->reject("the times must be > 0 and ascending [s]");
+    if (const auto rule = unworkable_time("the output time", t); !rule.empty()) times->reject(rule);
     previous = t;
   }
   if (head.output_times.empty() || head.output_times.back() > head.t_end)

@@ -72,6 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"exponent = 2", "exponent = nan", "finite"},
                     Mistake{"upper_wall = 1.14", "upper_wall = -0.1", "walls would cross"},
                     Mistake{"until = 0.1", "until = 0.0", "later than the phase begins"},
+                    Mistake{"until = 0.1", "until = 1e-300", "the length of the phase, 1e-300 s is beyond"},
+                    Mistake{"t_end = 3.0", "t_end = 1e-300", "between 1e-40 and 1e+40 s"},
                     Mistake{"until = 3.0", "until = 2.0", "before t_end"},
                     Mistake{"current = { lower = 1.0, upper = 3.0 }", "potential = { lower = 1.0 }",
                             "model = \"potential\""},

@@ -75,12 +75,6 @@ class Check {
 }  // namespace
 
 void require_workable_numbers(const Scene& scene) {
-  for (const double t : scene.output_times)
-    if (!is_workable(t))
-      throw InputError(
-          fmt::format("{}: the output time {} s is beyond what can be computed with; it must lie "
-                      "between {:g} and {:g} s",
-                      scene.file, t, smallest, largest));
   for (const auto& field : scene.fields) {
     const Check check(scene.file, field);
     check.nodes();

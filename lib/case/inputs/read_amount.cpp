@@ -15,6 +15,7 @@
 
 #include "case/inputs/named_column.hpp"
 #include "case/inputs/named_file.hpp"
+#include "case/inputs/workable_times.hpp"
 #include "core/error.hpp"
 #include "core/text/bracketed_unit.hpp"
 #include "core/text/delimited.hpp"
@@ -56,7 +57,9 @@ TimeTable read_lists(TomlTable& table) {
   if (out.time.empty()) times.reject("a table needs at least one instant");
   if (out.value.size() != out.time.size()) values.reject("there must be as many values as times");
   join_same_instants(out.time);
-  require_ascending(out.time, [&](std::size_t, const std::string& rule) { times.reject(rule); });
+  const auto reject = [&](std::size_t, const std::string& rule) { times.reject(rule); };
+  require_ascending(out.time, reject);
+  require_workable_instants(out.time, reject);
   return out;
 }
 
@@ -118,9 +121,11 @@ TimeTable read_profile(TomlTable& table, const TomlValue& file) {
   if (out.time.empty())
     throw InputError(fmt::format("{}: has no rows; a profile needs at least one instant", path));
   join_same_instants(out.time);
-  require_ascending(out.time, [&](std::size_t k, const std::string& rule) {
+  const auto reject = [&](std::size_t k, const std::string& rule) {
     throw InputError(fmt::format("{}:{}: {}", path, line[k], rule));
-  });
+  };
+  require_ascending(out.time, reject);
+  require_workable_instants(out.time, reject);
   return out;
 }
 
@@ -214,7 +219,10 @@ Amount read_amount(const TomlValue& amount, double t_end, Graph& graph) {
   if (scale)
     for (double& value : out.value) value *= scale->number();
   if (period && outside) outside->reject("a table with a period has no outside; leave one of the two out");
-  if (period) out = repeated(out, *period, t_end);
+  if (period) {
+    out = repeated(out, *period, t_end);
+    require_workable_instants(out.time, [&](std::size_t, const std::string& rule) { period->reject(rule); });
+  }
   if (outside) apply_outside(*outside, t_end, out);
   graph.tables.push_back(std::move(out));
   return {graph.tables.back().at(0), static_cast<std::int32_t>(graph.tables.size()) - 1};

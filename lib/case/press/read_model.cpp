@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/inputs/workable_times.hpp"
 #include "case/press/read_materials.hpp"
 #include "case/press/read_particles.hpp"
 #include "case/press/read_values.hpp"
@@ -201,6 +202,8 @@ Schedule read_phases(TomlTable& dynamics, const Model& model, double t_end) {
     phase.end = until.number();
     if (!(phase.end > time))
       until.reject(fmt::format("it must be later than the phase begins, at {} s", time));
+    if (const auto rule = unworkable_time("the length of the phase,", phase.end - time); !rule.empty())
+      until.reject(rule);
     phase.upper_wall_begin = phase.upper_wall = height;
     if (const auto wall = table.find("upper_wall")) {
       phase.upper_wall = wall->number();

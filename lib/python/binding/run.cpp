@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/measure/run_one.hpp"
+#include "case/inputs/workable_times.hpp"
 #include "core/error.hpp"
 #include "python/binding/arrays.hpp"
 #include "python/binding/bound_scene.hpp"
@@ -28,6 +29,8 @@ void require_times(const std::vector<double>& times) {
     if (!std::isfinite(times[k]) || !(times[k] > previous))
       throw InputError(fmt::format("output_times[{}] is {}; the times must be finite, > 0 and ascending [s]",
                                    k, times[k]));
+    if (const auto rule = unworkable_time(fmt::format("output_times[{}],", k), times[k]); !rule.empty())
+      throw InputError(rule);
     previous = times[k];
   }
 }
