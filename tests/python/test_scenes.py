@@ -219,7 +219,7 @@ class WhatIsRefused(unittest.TestCase):
             name="mine",
         )
         self.refused("key 't_end' is 'soon'; it must be a number", Scene.from_dict, {**good, "t_end": "soon"})
-        self.refused("key 't_end' is None; leave it out", Scene.from_dict, {**good, "t_end": None})
+        self.refused("key 't_end' is None; give it a value", Scene.from_dict, {**good, "t_end": None})
         self.refused("key 'title' is of type set", Scene.from_dict, {**good, "title": {1}})
         self.refused("keys must be strings", Scene.from_dict, {**good, 7: 1})
         self.refused("64 bits", Scene.from_dict, {**good, "t_end": 2**70})
@@ -248,6 +248,24 @@ class WhatIsRefused(unittest.TestCase):
         masked = np.ma.array(radii, mask=[k == 3 for k in range(12)])
         tables = {"conductivity": 50.0, "density": 7800.0, "specific_heat": 460.0, "t_end": 1.0}
         self.refused("radii has masked values", Scene.from_spheres, centres, masked, **tables)
+        K = laplacian(5)
+        hole = np.zeros(K.shape, dtype=bool)
+        hole[0, 1] = hole[1, 0] = True
+        self.refused("matrix has masked values", Scene.from_matrix, np.ma.array(K, mask=hole), t_end=1.0)
+        rows = [np.ma.array(row, mask=masked) for row, masked in zip(K, hole)]
+        self.refused("matrix has masked values", Scene.from_matrix, rows, t_end=1.0)
+        compressed = (np.ma.array([1.0, 1.0], mask=[1, 0]), [1, 0], [0, 1, 2])
+        self.refused("matrix has masked values", Scene.from_matrix, compressed, t_end=1.0)
+        self.refused("conductance has masked values", Scene.from_edges, [[0, 1]], np.ma.array([1.0], mask=[1]), t_end=1.0)
+        times = np.ma.array([0.5, 1.0], mask=[1, 0])
+        self.refused("output_times has masked values", Scene.from_edges, [[0, 1]], 1.0, t_end=1.0, output_times=times)
+        scene = network()
+        self.refused("output_times has masked values", superstep.integrate, scene, output_times=times)
+        y = np.ma.array(scene.y0, mask=[True] + [False] * (len(scene.y0) - 1))
+        for call in (scene.rhs, scene.jacobian_data, lambda t, y: scene.values("", t, y)):
+            self.refused("y has masked values", call, 0.0, y)
+        unmasked = np.ma.array(scene.y0)
+        np.testing.assert_array_equal(scene.rhs(0.0, unmasked), scene.rhs(0.0, scene.y0))
         scene = Scene.from_edges([[0, 1], [1, 2]], 1.0, t_end=1.0, fixed=np.ma.array([1.0, 7.0, 0.0], mask=[0, 1, 0]))
         self.assertEqual(list(scene.unknown_node), [1])
 
@@ -266,6 +284,10 @@ class WhatIsRefused(unittest.TestCase):
         self.refused("counted from 0", Scene.from_edges, [[0, 1], [1, 10**9]], 1.0, t_end=1.0)
         with self.assertRaisesRegex(TypeError, "case must be a dict"):
             Scene.from_spheres(centres, radii, **tables, case=[1])
+        for wrong in ({0.25, 1.0}, {"a": 1.0}, "1.0", ["x"]):
+            self.refused("output_times is no array", Scene.from_spheres, centres, radii, **tables, output_times=wrong)
+            self.refused("output_times is no array", superstep.integrate, network(), output_times=wrong)
+        self.refused("fixed is no array", Scene.from_edges, [[0, 1]], 1.0, t_end=1.0, fixed={1.0})
         times = Scene.from_spheres(centres, radii, **tables, output_times=(t for t in [0.25])).output_times
         self.assertEqual(times[0], 0.25)
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ._core import InputError
+from .arrays import refuse_masks
 
 
 def text_of(case: Mapping[str, Any], name: str) -> str:
@@ -51,13 +52,12 @@ def _value(value: Any, name: str, place: str) -> str:
         within = ", ".join(f"{_key(k, name, place)} = {_value(v, name, f'{place}.{k}')}" for k, v in value.items())
         return f"{{{within}}}"
     if isinstance(value, np.ndarray):
-        if np.ma.is_masked(value):
-            raise InputError(f"{name}: {place} has masked values; fill them, or leave them out")
+        refuse_masks(value, f"{name}: {place}")
         return _value(value.tolist(), name, place)
     if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
         return f"[{', '.join(_value(one, name, f'{place}[{k}]') for k, one in enumerate(value))}]"
     if value is None:
-        raise InputError(f"{name}: key '{place}' is None; leave it out")
+        raise InputError(f"{name}: key '{place}' is None; give it a value, or leave it out where it may be left out")
     raise InputError(
         f"{name}: key '{place}' is of type {type(value).__name__}; "
         "a case holds numbers, strings, booleans, lists and dicts"

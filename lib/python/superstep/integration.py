@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from .arrays import numbers, refuse_masks
 from .scene import Case, Scene, as_scene
 
 OnOutput = Callable[[float, NDArray[np.float64]], Any]
@@ -100,7 +101,8 @@ def _times(scene: Scene, t_end: Optional[float], output_times: Optional[ArrayLik
         if t_end is not None:
             times = times[times < t_end]
     else:
-        times = np.asarray(output_times, dtype=float)
+        refuse_masks(output_times, "output_times")
+        times = numbers(output_times, "output_times")
         if times.ndim != 1:
             raise _core.InputError(f"output_times has the shape {times.shape}; it must be (k,)")
         if t_end is not None and times.size and times[-1] > t_end:

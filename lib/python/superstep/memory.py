@@ -8,6 +8,7 @@ from typing import Any, Optional
 import numpy as np
 
 from ._core import InputError
+from .arrays import refuse_masks
 
 Arrays = dict[str, Any]
 
@@ -52,7 +53,8 @@ def _spheres(case: dict[str, Any], name: str) -> Optional[Arrays]:
             column = f"{field}.initial"
             attributes[column] = table["initial"]
             table["initial"] = {"column": column}
-    _refuse_masks({**spheres, **attributes}, name)
+    for key, value in {**spheres, **attributes}.items():
+        refuse_masks(value, f"{name}: {key}")
     if attributes:
         spheres["attributes"] = attributes
     return spheres
@@ -62,6 +64,8 @@ def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
     network = case.get("network")
     if not isinstance(network, dict):
         return None
+    for key, value in network.items():
+        refuse_masks(value, f"{name}: {key}", "fill them (in fixed with NaN: free), or leave them out")
     out: Arrays = {}
     if "matrix" in network and not isinstance(network["matrix"], str):
         out.update(_rows(network.pop("matrix"), name))
@@ -83,17 +87,9 @@ def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
                 "hand over matrix or edges as well"
             )
         return None
-    _refuse_masks({**out, **arrays}, name)
     if "edges" in out:
         out["nodes"] = _count(network, out["edges"], arrays, name)
     return {**out, **arrays}
-
-
-def _refuse_masks(arrays: Arrays, name: str) -> None:
-    """What lies under a mask is no value."""
-    for key, value in arrays.items():
-        if np.ma.is_masked(value):
-            raise InputError(f"{name}: {key} has masked values; fill them (in fixed with NaN: free), or leave them out")
 
 
 def _count(network: dict[str, Any], edges: Any, arrays: Arrays, name: str) -> int:

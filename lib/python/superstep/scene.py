@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core, document, memory
+from . import _core, arrays, document, memory
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix
@@ -192,7 +192,7 @@ class Scene:
     ) -> Scene:
         network.update(capacity=capacity, source=source, initial=initial, field=field)
         if fixed is not None:
-            network["fixed"] = np.ma.filled(np.ma.asarray(fixed, dtype=float), np.nan)
+            network["fixed"] = arrays.numbers(fixed, f"{name}: fixed")
         return cls.from_dict(_merged({"t_end": t_end, "network": network}, output_times, case), name=name)
 
     # What it is.
@@ -285,6 +285,7 @@ class Scene:
         t: s; beyond t_end inputs that change in time hold the values that they have there. y: (m,) K or V.
         Raises InputError for another shape.
         """
+        arrays.refuse_masks(y, "y")
         return self._core.rhs(t, y)
 
     def jacobian_data(self, t: float, y: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int32]]:
@@ -292,6 +293,7 @@ class Scene:
 
         Beyond t_end as in ``rhs``.
         """
+        arrays.refuse_masks(y, "y")
         return self._core.jacobian(t, y)
 
     def jacobian(self, t: float, y: ArrayLike) -> csc_matrix:
@@ -306,6 +308,7 @@ class Scene:
 
         A field that is steady is solved for. field: "" = the first. Beyond t_end as in ``rhs``.
         """
+        arrays.refuse_masks(y, "y")
         return self._core.values_on_nodes(self._index(field), t, y)
 
     def _index(self, field: str) -> int:
@@ -326,11 +329,6 @@ def as_scene(case: Case) -> Scene:
     return Scene.from_file(case)
 
 
-def _listed(values: Any) -> Any:
-    """What can be gone through once only, as a list."""
-    return list(values) if isinstance(values, Iterator) else values
-
-
 def _merged(
     made: dict[str, Any], output_times: Optional[ArrayLike], case: Optional[Mapping[str, Any]]
 ) -> dict[str, Any]:
@@ -338,7 +336,8 @@ def _merged(
     if case is not None and not isinstance(case, Mapping):
         raise TypeError(f"case must be a dict; it is of type {type(case).__name__}")
     if output_times is not None:
-        made["output_times"] = np.asarray(_listed(output_times), dtype=float)
+        arrays.refuse_masks(output_times, "output_times")
+        made["output_times"] = arrays.numbers(output_times, "output_times")
     for key, value in (case or {}).items():
         own = made.get(key)
         made[key] = {**own, **value} if isinstance(own, dict) and isinstance(value, Mapping) else value
