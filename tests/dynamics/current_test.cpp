@@ -195,5 +195,55 @@ TEST(Current, NoElectrifiedWallNoCurrent) {
   for (const double value : pile.network->current().heat()) EXPECT_EQ(value, 0);
 }
 
+TEST(Saturation, FollowsEquation50) {
+  const Saturation law{.thermal = 2,
+                       .thermal_slope = 0.01,
+                       .temperature = 400,
+                       .field = 3,
+                       .field_slope = 0.1,
+                       .reference_field = 5};
+  EXPECT_NEAR(law.factor(500, 15), 1 + 2 / (1 + std::exp(-1.0)) + 3 / (1 + std::exp(-1.0)), 1e-15);
+  EXPECT_NEAR(law.factor(400, 5), 1 + 1 + 1.5, 1e-15);
+  EXPECT_EQ(Saturation{}.factor(700, 3), 1);
+}
+
+TEST(Saturation, PotentialsOfAColumnAgreeWithItsFields) {
+  // A column carries one current: sigma(T, E_k) E_k A_k is the same through every contact.
+  Model model = quiet_model(1);
+  model.electric.model = CurrentModel::potential;
+  model.electric.conductivity = 2;
+  model.electric.saturation = {.thermal = 1,
+                               .thermal_slope = 0.01,
+                               .temperature = 500,
+                               .field = 2,
+                               .field_slope = 0.02,
+                               .reference_field = 0};
+  Phase phase = model.schedule.phases().front();
+  phase.lower = 0;
+  phase.upper = 100;
+  phase.upper_wall_begin = phase.upper_wall = -0.47;
+  model.schedule = Schedule({phase});
+  Cloud cloud;
+  for (int k = 0; k < 4; ++k) cloud.add({0, 0, -0.93 + 0.14 * k - 0.003 * k * k}, {}, 0.075, 300 + 100.0 * k);
+  MovingNetwork network(model, cloud.particles);
+  State state = cloud.state;
+  network.resume(state, phase);
+  network.settle(state, phase);
+  double first = 0;
+  for (const auto& contact : network.contacts().points()) {
+    const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
+    const double drop = std::abs(state.electric[i] - state.electric[j]), field = drop / contact.distance;
+    ASSERT_GT(drop, 1) << "current flows";
+    const double sigma = model.electric.conductivity *
+                         (model.electric.saturation.factor(state.temperature[i], field) +
+                          model.electric.saturation.factor(state.temperature[j], field)) /
+                         2;
+    const double current = sigma * contact.area * field;
+    if (first == 0) first = current;
+    EXPECT_NEAR(current, first, 1e-8 * first) << "the turns end at 1e-10 of the largest potential";
+  }
+  EXPECT_GT(first, 0);
+}
+
 }  // namespace
 }  // namespace superstep

@@ -1,8 +1,10 @@
 /// Packings of other programs, sizes and materials under motion.
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "case/press/press.hpp"
 #include "core/error.hpp"
@@ -117,6 +119,41 @@ TEST(ParticleFile, WhatAPressCannotUseIsSaid) {
   EXPECT_EQ(load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n"))).state.temperature[0], 25);
 }
 
+TEST(ParticleFile, ColumnsThatAPressMakesNoUseOfAreNamed) {
+  const TemporaryFolder folder;
+  const auto warnings = [&](const std::string& columns, const std::string& values) {
+    folder.write("p.csv", "id,x,y,z,r," + columns + "\n7,0.1,0,0,0.04," + values + "\n");
+    const auto press = load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n")));
+    return fmt::format("{}", fmt::join(press.warnings, "\n"));
+  };
+  EXPECT_NE(warnings("density", "7000").find("p.csv: a press makes no use of its column 'density'"),
+            std::string::npos);
+  EXPECT_NE(warnings("fx,vx,vy,vz,omegax,mass,T", "1,2,3,4,5,6,7").find("its columns 'fx', 'omegax', 'mass'"),
+            std::string::npos);
+  EXPECT_EQ(warnings("current,temperature,vx,vy,vz", "1,300,0,0,0"), "") << "what a press writes";
+}
+
+TEST(ParticleFile, TwoColumnsOfOneQuantityMustAgree) {
+  const TemporaryFolder folder;
+  const auto load = [&](const std::string& columns, const std::string& values) {
+    folder.write("p.csv", "id,x,y,z,r," + columns + "\n7,0.1,0,0,0.04," + values + "\n");
+    return load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n")));
+  };
+  for (const auto& [columns, values, pair] :
+       {std::tuple{"T,temperature", "320,1", "'temperature' and 'T'"},
+        std::tuple{"Temp,f_Temp[0]", "320,321", "'Temp' and 'f_Temp[0]'"},
+        std::tuple{"vx,vy,vz,velocity:0,velocity:1,velocity:2", "1,2,3,1,2,4", "'vz' and 'velocity:2'"},
+        std::tuple{"vx,vy,vz,v_x [mm/s]", "1,2,3,1", "'vx' and 'v_x [mm/s]'"}}) {
+    const std::string message = message_of<InputError>([&] { (void)load(columns, values); });
+    EXPECT_NE(message.find(pair), std::string::npos) << message;
+    EXPECT_NE(message.find("contradict each other: particle 7 has"), std::string::npos) << message;
+  }
+  const Press press = load("T,temperature,vx,vy,vz,v_x [mm/s]", "320,320,1,2,3,1000");
+  EXPECT_EQ(press.state.temperature[0], 320);
+  EXPECT_EQ(press.state.velocity[0].x, 1);
+  EXPECT_TRUE(press.warnings.empty()) << press.warnings.front();
+}
+
 TEST(ParticleFile, EveryFormatBringsItsVelocities) {
   const TemporaryFolder folder;
   // Two particles each, ids 1 and 2 or 0 and 1; the first moves with (1, 2, 3).
@@ -206,10 +243,19 @@ TEST(ParticleFile, BondsBesideItAreTakenUp) {
   const double neck_area = pair_area(0.12 * 0.8, 0.06, 0.06);
   EXPECT_NEAR(network.contacts().table().pull[0], 0.4 * 1e7 * neck_area * (0.2 - 1.0 / 6), 1e-9 * 1e7);
 
+  EXPECT_TRUE(press.warnings.empty()) << press.warnings.front();
+  folder.write("p.csv", "id,x,y,z,radius\n7,0.1,0,0,0.06\n3,0,0,0,0.06\n9,0.6,0,0,0.06\n");
+  folder.write("b.csv", "i,j,overlap,growth\n7,3,0.2,0.4\n3,9,0.2,0.4\n9,7,0.2,0.4\n");
+  const auto warnings = load_press(folder.write("case.toml", case_text(with))).warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("b.csv: 2 bonds break at once"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("has a strain of 4, its particles being 0.6 m apart"), std::string::npos)
+      << warnings[0];
+
   for (const auto& [text, says] : {std::pair{"i,j,overlap,growth\n7,3,0.2,0.4\n3,7,0.2,0.4\n",
                                              "b.csv:3: the bond 7-3 has a row already, on line 2; keep one"},
                                    std::pair{"i,j,overlap,growth\n7,3,0.2,1.4\n", "[0, 1]"},
-                                   std::pair{"i,j,overlap,growth\n7,9,0.2,0.4\n", "not in the packing"},
+                                   std::pair{"i,j,overlap,growth\n7,8,0.2,0.4\n", "not in the packing"},
                                    std::pair{"i,j,overlap,growth\n7,7,0.2,0.4\n", "joins two"}}) {
     folder.write("b.csv", text);
     const std::string path = folder.write("case.toml", case_text(with));
@@ -255,56 +301,6 @@ TEST(ParticleSizes, FollowTheirDistribution) {
     for (std::size_t j = i + 1; j < press.particles.size(); ++j)
       ASSERT_GE(norm(press.state.position[i] - press.state.position[j]),
                 (press.particles.radius[i] + press.particles.radius[j]) * (1 - 1e-12));
-}
-
-TEST(Saturation, FollowsEquation50) {
-  const Saturation law{.thermal = 2,
-                       .thermal_slope = 0.01,
-                       .temperature = 400,
-                       .field = 3,
-                       .field_slope = 0.1,
-                       .reference_field = 5};
-  EXPECT_NEAR(law.factor(500, 15), 1 + 2 / (1 + std::exp(-1.0)) + 3 / (1 + std::exp(-1.0)), 1e-15);
-  EXPECT_NEAR(law.factor(400, 5), 1 + 1 + 1.5, 1e-15);
-  EXPECT_EQ(Saturation{}.factor(700, 3), 1);
-}
-
-TEST(Saturation, PotentialsOfAColumnAgreeWithItsFields) {
-  // A column carries one current: sigma(T, E_k) E_k A_k is the same through every contact.
-  Model model = quiet_model(1);
-  model.electric.model = CurrentModel::potential;
-  model.electric.conductivity = 2;
-  model.electric.saturation = {.thermal = 1,
-                               .thermal_slope = 0.01,
-                               .temperature = 500,
-                               .field = 2,
-                               .field_slope = 0.02,
-                               .reference_field = 0};
-  Phase phase = model.schedule.phases().front();
-  phase.lower = 0;
-  phase.upper = 100;
-  phase.upper_wall_begin = phase.upper_wall = -0.47;
-  model.schedule = Schedule({phase});
-  Cloud cloud;
-  for (int k = 0; k < 4; ++k) cloud.add({0, 0, -0.93 + 0.14 * k - 0.003 * k * k}, {}, 0.075, 300 + 100.0 * k);
-  MovingNetwork network(model, cloud.particles);
-  State state = cloud.state;
-  network.resume(state, phase);
-  network.settle(state, phase);
-  double first = 0;
-  for (const auto& contact : network.contacts().points()) {
-    const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
-    const double drop = std::abs(state.electric[i] - state.electric[j]), field = drop / contact.distance;
-    ASSERT_GT(drop, 1) << "current flows";
-    const double sigma = model.electric.conductivity *
-                         (model.electric.saturation.factor(state.temperature[i], field) +
-                          model.electric.saturation.factor(state.temperature[j], field)) /
-                         2;
-    const double current = sigma * contact.area * field;
-    if (first == 0) first = current;
-    EXPECT_NEAR(current, first, 1e-8 * first) << "the turns end at 1e-10 of the largest potential";
-  }
-  EXPECT_GT(first, 0);
 }
 
 }  // namespace

@@ -30,44 +30,53 @@ bool is_called(const std::string& column, std::string_view name, Letters letters
   return letters == Letters::same ? bare == name : lower_case(bare) == lower_case(name);
 }
 
-/// The column of that name, with a unit behind it or not; nullptr where there is none.
-const PackingAttribute* find_column(const Packing& packing, const std::string& path, std::string_view name,
-                                    Letters letters = Letters::any_case) {
+using Columns = std::vector<const PackingAttribute*>;
+
+/// The columns of that name, with a unit behind it or not.
+Columns find_columns(const Packing& packing, const std::string& path, std::string_view name,
+                     Letters letters = Letters::any_case) {
+  Columns found;
   for (const auto& attribute : packing.attributes)
-    if (is_called(attribute.name, name, letters)) return &attribute;
+    if (is_called(attribute.name, name, letters)) found.push_back(&attribute);
   for (const auto& column : packing.text_columns)
-    if (is_called(column, name, letters))
+    if (found.empty() && is_called(column, name, letters))
       throw InputError(fmt::format(
           "{}: column '{}' holds text; a press takes it for numbers: correct them, or give it another name",
           path, column));
-  return nullptr;
+  return found;
 }
 
-/// The velocity under one of the names that particle codes and their exports give it.
-Axes velocity_columns(const Packing& packing, const std::string& path) {
-  const auto axes_of = [&](const std::array<std::string, 3>& names) {
-    return Axes{find_column(packing, path, names[0]), find_column(packing, path, names[1]),
-                find_column(packing, path, names[2])};
+/// Velocities under the names that particle codes and their exports give them, the first of which counts.
+std::vector<Axes> velocity_columns(const Packing& packing, const std::string& path) {
+  std::vector<Axes> found;
+  const auto add = [&](const std::array<std::string, 3>& names) {
+    Axes axes{}, others{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const auto* column : find_columns(packing, path, names[axis]))
+        (axes[axis] == nullptr ? axes : others)[axis] = column;
+    for (const Axes& one : {axes, others})
+      if (one[0] || one[1] || one[2]) found.push_back(one);
   };
   const std::array<std::array<std::string, 3>, 4> plain = {{{"vx", "vy", "vz"},
                                                             {"v_x", "v_y", "v_z"},
                                                             {"velocity_x", "velocity_y", "velocity_z"},
                                                             {"velx", "vely", "velz"}}};
-  for (const auto& names : plain)
-    if (const Axes axes = axes_of(names); axes[0] || axes[1] || axes[2]) return axes;
+  for (const auto& names : plain) add(names);
   for (const char* vector : {"velocity", "velocities", "vel", "velo", "v", "linVelVec", "linear_velocity"})
     for (const char* pattern : {"{}:{}", "{}[{}]"}) {
       const auto axis = [&](int k) { return fmt::format(fmt::runtime(pattern), vector, k); };
-      if (const Axes axes = axes_of({axis(0), axis(1), axis(2)}); axes[0]) return axes;
+      add({axis(0), axis(1), axis(2)});
     }
-  return {};
+  return found;
 }
 
-/// A lone T is a temperature, a t a time.
-const PackingAttribute* temperature_column(const Packing& packing, const std::string& path) {
+/// Temperatures, the first of which counts. A lone T is one, a t is a time.
+Columns temperature_columns(const Packing& packing, const std::string& path) {
+  Columns found;
   for (const char* name : {"temperature", "temp", "f_temp", "f_temp[0]"})
-    if (const auto* column = find_column(packing, path, name)) return column;
-  return find_column(packing, path, "T", Letters::same);
+    for (const auto* column : find_columns(packing, path, name)) found.push_back(column);
+  for (const auto* column : find_columns(packing, path, "T", Letters::same)) found.push_back(column);
+  return found;
 }
 
 bool is_flat(const Packing& packing) {
@@ -109,6 +118,31 @@ std::optional<double> stated_velocity_unit(const PackingAttribute& column, const
   return metres;
 }
 
+/// Refuses two columns of one quantity that say something else of a particle.
+///   unit, other_unit  of what they hold
+void require_agreement(const PackingAttribute& column, double unit, const PackingAttribute& other,
+                       double other_unit, const Packing& packing, const std::string& path) {
+  constexpr double rounding = 1e-9;  // of what a program wrote with few digits in one of two units
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const double a = unit * value_at(column, packing, k, path),
+                 b = other_unit * value_at(other, packing, k, path);
+    if (std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b))) continue;
+    throw InputError(fmt::format(
+        "{}: columns '{}' and '{}' contradict each other: particle {} has {} and {}; keep the right one",
+        path, column.name, other.name, packing.id[k], column.value[k], other.value[k]));
+  }
+}
+
+/// Columns that nobody has asked for. `current` and `potential` are what a press writes and finds anew.
+std::vector<std::string> others_than(const Columns& used, const Packing& packing) {
+  std::vector<std::string> names;
+  for (const auto& attribute : packing.attributes)
+    if (std::find(used.begin(), used.end(), &attribute) == used.end() && attribute.name != "current" &&
+        attribute.name != "potential")
+      names.push_back(attribute.name);
+  return names;
+}
+
 [[noreturn]] void unknown(const CsvReader& rows, std::int64_t id) {
   throw InputError(fmt::format("{}: particle {} is not in the packing; remove the row", rows.where(), id));
 }
@@ -117,39 +151,56 @@ std::optional<double> stated_velocity_unit(const PackingAttribute& column, const
 
 Kinematics read_kinematics(const std::string& path, const Packing& packing, std::optional<double> unit) {
   Kinematics out;
-  const Axes axes = velocity_columns(packing, path);
-  if (axes[0] || axes[1] || axes[2]) {
+  Columns used;
+  const auto velocities = velocity_columns(packing, path);
+  const auto unit_of = [&](const PackingAttribute& column) {
+    const auto stated = stated_velocity_unit(column, path);
+    if (stated && unit && *stated != *unit)
+      throw InputError(fmt::format("{}: column '{}' says another unit than velocity_unit = {} m/s; keep one",
+                                   path, column.name, *unit));
+    return stated ? *stated : unit ? *unit : velocity_unit(packing, path);
+  };
+  if (!velocities.empty()) {
+    const Axes& axes = velocities.front();
     std::array<double, 3> metres_per_second{};
     const char* names[] = {"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!axes[axis] && !(axis == 2 && is_flat(packing)))
         throw InputError(fmt::format("{}: has velocities, but none along {}; add the column, or remove them",
                                      path, names[axis]));
-      const auto stated = axes[axis] ? stated_velocity_unit(*axes[axis], path) : std::nullopt;
-      if (stated && unit && *stated != *unit)
-        throw InputError(
-            fmt::format("{}: column '{}' says another unit than velocity_unit = {} m/s; keep one", path,
-                        axes[axis]->name, *unit));
-      metres_per_second[axis] = stated ? *stated : unit ? *unit : velocity_unit(packing, path);
+      if (axes[axis]) metres_per_second[axis] = unit_of(*axes[axis]);
     }
     const auto along = [&](std::size_t axis, std::size_t k) {
       return axes[axis] ? metres_per_second[axis] * value_at(*axes[axis], packing, k, path) : 0.0;
     };
     for (std::size_t k = 0; k < packing.size(); ++k)
       out.velocity.push_back({along(0, k), along(1, k), along(2, k)});
+    for (const Axes& others : velocities)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!others[axis]) continue;
+        used.push_back(others[axis]);
+        if (axes[axis])
+          require_agreement(*axes[axis], metres_per_second[axis], *others[axis], unit_of(*others[axis]),
+                            packing, path);
+      }
   }
-  const auto* column = temperature_column(packing, path);
-  if (column == nullptr) return out;
-  require_column_unit(column->name, "K", path);
-  for (std::size_t k = 0; k < packing.size(); ++k) {
-    const double kelvin = value_at(*column, packing, k, path);
+  const auto temperatures = temperature_columns(packing, path);
+  for (const auto* column : temperatures) {
+    require_column_unit(column->name, "K", path);
+    used.push_back(column);
+    require_agreement(*temperatures.front(), 1, *column, 1, packing, path);
+  }
+  for (std::size_t k = 0; k < packing.size() && !temperatures.empty(); ++k) {
+    const auto& column = *temperatures.front();
+    const double kelvin = value_at(column, packing, k, path);
     if (!(kelvin >= 0))
       throw InputError(
           fmt::format("{}: particle {} has the temperature {} in its column '{}'; it must be "
                       ">= 0 K",
-                      path, packing.id[k], kelvin, column->name));
+                      path, packing.id[k], kelvin, column.name));
     out.temperature.push_back(kelvin);
   }
+  out.unused = others_than(used, packing);
   return out;
 }
 

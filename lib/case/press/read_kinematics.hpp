@@ -14,11 +14,13 @@ namespace superstep::dynamics {
 struct Kinematics {
   std::vector<Vec3> velocity;       ///< [n] m/s, in the order of the packing
   std::vector<double> temperature;  ///< [n] K
+  std::vector<std::string> unused;  ///< columns that say something else, but for what a press writes itself
 };
 
 /// From the columns of the packing at `path`, whatever its format: vx vy vz, velocity:0..2 and the like;
 /// temperature, Temp, T, f_Temp, f_Temp[0]. Throws InputError for what is no number, for a velocity with an
-/// axis missing, and for one in a unit style whose unit of time is not sure.
+/// axis missing, for one in a unit style whose unit of time is not sure, and for two columns of one quantity
+/// that differ.
 ///   unit  m/s per unit of velocity; nothing = that of the file's unit style, else its unit of length per
 ///         second
 [[nodiscard]] Kinematics read_kinematics(const std::string& path, const Packing& packing,

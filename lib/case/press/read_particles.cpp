@@ -1,6 +1,7 @@
 #include "case/press/read_particles.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <optional>
 
 #include "case/inputs/named_file.hpp"
+#include "case/press/check_bonds.hpp"
 #include "case/press/check_overlaps.hpp"
 #include "case/press/read_kinematics.hpp"
 #include "case/press/read_values.hpp"
@@ -202,6 +204,11 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
   std::optional<double> unit;
   if (table.find("velocity_unit")) unit = table.positive("velocity_unit", "m/s");
   const Kinematics kinematics = read_kinematics(named_path(file), packing, unit);
+  if (!kinematics.unused.empty())
+    reading.input.warnings.push_back(fmt::format(
+        "{}: a press makes no use of {} '{}'; particles have the density of the case and do not turn",
+        named_path(file), kinematics.unused.size() == 1 ? "its column" : "its columns",
+        fmt::join(kinematics.unused, "', '")));
   std::vector<Bond> bonds;
   if (const auto stored = table.find("bonds")) {
     if (!reading.input.model.bond.acts()) stored->reject("the case has no [dynamics.bond]; remove it");
@@ -230,6 +237,9 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
     return std::pair{a.i, a.j} < std::pair{b.i, b.j};
   });
   reading.input.state.bonds = std::move(bonds);
+  if (const auto stored = table.find("bonds"))
+    if (const auto torn = torn_bonds(reading.input, named_path(*stored)))
+      reading.input.warnings.push_back(*torn);
 }
 
 }  // namespace
