@@ -35,9 +35,10 @@ struct Packing {
   std::vector<double> radius;          ///< [n] m, > 0
   std::vector<std::int32_t> material;  ///< [n] index into material_names; all 0 where the file names none
   std::vector<std::string> material_names;  ///< empty where the file names none
-  std::string single_type;  ///< the one type of all, where a number that all have is no material by itself
-  std::string place;        ///< file that it was read from; empty for none
-  std::string frame;        ///< which of the frames of its file this is, in words; empty where there is one
+  std::string single_type;    ///< the one type of all, where a number that all have is no material by itself
+  std::string place;          ///< file that it was read from; empty for none
+  std::string columns_place;  ///< "file:line" where its columns are named, or the file; empty for none
+  std::string frame;          ///< which of the frames of its file this is, in words; empty where there is one
   std::vector<PackingAttribute> attributes;  ///< in the order of the file
   std::vector<std::string> text_columns;     ///< left out, since they hold text
   std::optional<Cell> cell;                  ///< m; the box that the file or the user states

@@ -69,7 +69,7 @@ TEST(ParticleFile, TableBringsWhatItsColumnsSay) {
   EXPECT_EQ(press.state.temperature[place_of(press, 3)], 350);
   EXPECT_EQ(loaded("velocity_unit = 0.5\n").state.velocity[0].z, 0.5) << "0.5 m/s each";
   for (const auto& [text, says] :
-       {std::pair{"id,x,y,z,r,vx,vy\n7,0.1,0,1,0.04,1,2\n", "none along z"},
+       {std::pair{"id,x,y,z,r,vx,vy\n7,0.1,0,1,0.04,1,2\n", "p.csv:1: has velocities, but none along z"},
         std::pair{"id,x,y,z,r,vx,vy,vz\n7,0.1,0,1,0.04,1,2,\n",
                   "particle 7 has no number in its column 'vz'"},
         std::pair{"id,x,y,z,r,temperature\n7,0.1,0,0,0.04,-1\n", "must be >= 0 K"}}) {
@@ -126,7 +126,7 @@ TEST(ParticleFile, ColumnsThatAPressMakesNoUseOfAreNamed) {
     const auto press = load_press(folder.write("case.toml", case_text("file = \"p.csv\"\n")));
     return fmt::format("{}", fmt::join(press.warnings, "\n"));
   };
-  EXPECT_NE(warnings("density", "7000").find("p.csv: a press makes no use of its column 'density'"),
+  EXPECT_NE(warnings("density", "7000").find("p.csv:1: a press makes no use of its column 'density'"),
             std::string::npos);
   EXPECT_NE(warnings("fx,vx,vy,vz,omegax,mass,T", "1,2,3,4,5,6,7").find("its columns 'fx', 'omegax', 'mass'"),
             std::string::npos);
@@ -147,6 +147,7 @@ TEST(ParticleFile, TwoColumnsOfOneQuantityMustAgree) {
     const std::string message = message_of<InputError>([&] { (void)load(columns, values); });
     EXPECT_NE(message.find(pair), std::string::npos) << message;
     EXPECT_NE(message.find("contradict each other: particle 7 has"), std::string::npos) << message;
+    EXPECT_NE(message.find("p.csv:1: "), std::string::npos) << message;
   }
   const Press press = load("T,temperature,vx,vy,vz,v_x [mm/s]", "320,320,1,2,3,1000");
   EXPECT_EQ(press.state.temperature[0], 320);

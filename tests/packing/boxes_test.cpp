@@ -54,5 +54,13 @@ TEST(Boxes, PositionsAreHeldAgainstStatedOnes) {
   EXPECT_TRUE(test::warns(read_as("a.csv", "x,y,z,radius\n0,0,5,0.55\n", options), "[packing] box"));
 }
 
+TEST(Boxes, AWrongCommentOfACellIsCalledWhatItIs) {
+  const auto complaint = [](const std::string& cell) {
+    return refusal("x,y,z,radius\n# cell = " + cell + "\n0,0,0,1\n");
+  };
+  expect_says(complaint("\"0 0 0 1 0 0\""), {"p.txt:2: the comment '# cell' has 6 numbers", "ox oy oz ax"});
+  expect_says(complaint("0 0 0 1 0 0 0 b 0 0 0 1"), {"p.txt:2: the comment '# cell' has 'b', which is no"});
+}
+
 }  // namespace
 }  // namespace superstep

@@ -129,7 +129,8 @@ void require_agreement(const PackingAttribute& column, double unit, const Packin
     if (std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b))) continue;
     throw InputError(fmt::format(
         "{}: columns '{}' and '{}' contradict each other: particle {} has {} and {}; keep the right one",
-        path, column.name, other.name, packing.id[k], column.value[k], other.value[k]));
+        packing.columns_place.empty() ? path : packing.columns_place, column.name, other.name, packing.id[k],
+        column.value[k], other.value[k]));
   }
 }
 
@@ -152,12 +153,13 @@ std::vector<std::string> others_than(const Columns& used, const Packing& packing
 Kinematics read_kinematics(const std::string& path, const Packing& packing, std::optional<double> unit) {
   Kinematics out;
   Columns used;
-  const auto velocities = velocity_columns(packing, path);
+  const std::string& names_at = packing.columns_place.empty() ? path : packing.columns_place;
+  const auto velocities = velocity_columns(packing, names_at);
   const auto unit_of = [&](const PackingAttribute& column) {
-    const auto stated = stated_velocity_unit(column, path);
+    const auto stated = stated_velocity_unit(column, names_at);
     if (stated && unit && *stated != *unit)
       throw InputError(fmt::format("{}: column '{}' says another unit than velocity_unit = {} m/s; keep one",
-                                   path, column.name, *unit));
+                                   names_at, column.name, *unit));
     return stated ? *stated : unit ? *unit : velocity_unit(packing, path);
   };
   if (!velocities.empty()) {
@@ -167,7 +169,7 @@ Kinematics read_kinematics(const std::string& path, const Packing& packing, std:
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!axes[axis] && !(axis == 2 && is_flat(packing)))
         throw InputError(fmt::format("{}: has velocities, but none along {}; add the column, or remove them",
-                                     path, names[axis]));
+                                     names_at, names[axis]));
       if (axes[axis]) metres_per_second[axis] = unit_of(*axes[axis]);
     }
     const auto along = [&](std::size_t axis, std::size_t k) {
@@ -184,9 +186,9 @@ Kinematics read_kinematics(const std::string& path, const Packing& packing, std:
                             packing, path);
       }
   }
-  const auto temperatures = temperature_columns(packing, path);
+  const auto temperatures = temperature_columns(packing, names_at);
   for (const auto* column : temperatures) {
-    require_column_unit(column->name, "K", path);
+    require_column_unit(column->name, "K", names_at);
     used.push_back(column);
     require_agreement(*temperatures.front(), 1, *column, 1, packing, path);
   }

@@ -207,7 +207,7 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
   if (!kinematics.unused.empty())
     reading.input.warnings.push_back(fmt::format(
         "{}: a press makes no use of {} '{}'; particles have the density of the case and do not turn",
-        named_path(file), kinematics.unused.size() == 1 ? "its column" : "its columns",
+        packing.columns_place, kinematics.unused.size() == 1 ? "its column" : "its columns",
         fmt::join(kinematics.unused, "', '")));
   std::vector<Bond> bonds;
   if (const auto stored = table.find("bonds")) {

@@ -230,6 +230,7 @@ Packing SphereRows::finish() {
   Packing packing = builder_.finish();
   packing.length_unit = unit_;
   packing.unit_style = std::move(head_.unit_style);
+  packing.columns_place = layout_.place;
   packing.notes = std::move(head_.notes);
   packing.warnings = std::move(head_.warnings);
   note_columns(packing);

@@ -4,6 +4,8 @@
 
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
+#include "core/text/number.hpp"
+#include "core/text/quantity.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/text_row.hpp"
 #include "packing/units.hpp"
@@ -64,12 +66,21 @@ std::optional<Cell> stated_cell(const PackingFile& file) {
                       file.path, periodic->line));
     return std::nullopt;
   }
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(
+        fmt::format("{}:{}: the comment '# cell' {}; it must be the corner and the three edges, # "
+                    "cell = \"ox oy oz ax ay az bx by bz cx cy cz\"",
+                    file.path, stated->line, what));
+  };
   TextRow row(file.path);
   row.split(stated->text, stated->line);
-  row.require_size(12, "the corner and the three edges of the cell");
-  const auto vector = [&](std::size_t k) {
-    return Vec3{row.number(k, "cell"), row.number(k + 1, "cell"), row.number(k + 2, "cell")};
+  if (row.size() != 12) refuse("has " + quantity(row.size(), "number"));
+  const auto number = [&](std::size_t k) {
+    const auto value = parse_number(row[k]);
+    if (!value) refuse(fmt::format("has {}, which is no finite decimal number", in_quotes(row[k])));
+    return *value;
   };
+  const auto vector = [&](std::size_t k) { return Vec3{number(k), number(k + 1), number(k + 2)}; };
   Cell cell{.origin = vector(0), .edge = {vector(3), vector(6), vector(9)}, .periodic = {}};
   if (periodic)
     cell.periodic = periodic_edges(periodic->text, fmt::format("{}:{}", file.path, periodic->line));
