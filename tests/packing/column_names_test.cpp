@@ -123,7 +123,7 @@ TEST(ColumnNames, DeclaredOnesDoNotContradictThoseOfTheFile) {
 
 TEST(ColumnNames, SeveralTimeStepsAreNotLaidOnTopOfEachOther) {
   const std::string rows = "0,0,0,0,0.5\n0,0,0,1,0.5\n1,0,0,0.4,0.5\n1,0,0,1.4,0.5\n";
-  for (const char* name : {"TimeStep", "Time", "time [s]", "time_step"})
+  for (const char* name : {"TimeStep", "Time", "time [s]", "time_step", "frame", "Frame", "STEP", "step"})
     expect_says(refusal(std::string(name) + ",Points:0,Points:1,Points:2,radius\n" + rows),
                 {"p.txt:4:", name, "several time steps", "export one"});
   EXPECT_EQ(read_as("a.csv", "TimeStep,x,y,z,radius\n5,0,0,0,0.5\n5,0,0,1,0.5\n").size(), 2u);
