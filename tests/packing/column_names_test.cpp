@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/packing_text.hpp"
 
 namespace superstep {
@@ -119,6 +121,26 @@ TEST(ColumnNames, DeclaredOnesDoNotContradictThoseOfTheFile) {
                             "sphere\n\n1 1 0.5 2.5 3 4 1.5\n",
                             style);
   EXPECT_TRUE(test::warns(data, "states the style sphere")) << "a style may be wrong, and then it is said";
+}
+
+/// As LIGGGHTS writes it where a script asks for `type type`.
+TEST(ColumnNames, TheSameColumnAgainIsNoMatterWhereItsValuesAreTheSame) {
+  const auto dump = [](const std::string& names, const std::string& rows) {
+    return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n-5 5\n-5 5\n-5 5\nITEM: "
+           "ATOMS " +
+           names + "\n" + rows;
+  };
+  const auto packing = read_as("a.dump", dump("id type type x y z x radius fx fx fx",
+                                              "1 1 1 0 0 0 0 0.5 7 7 7\n2 2 2 1 0 0 1.0 0.5 nan nan nan\n"));
+  EXPECT_EQ(packing.centre[1].x, 1);
+  EXPECT_EQ(packing.material_names, (std::vector<std::string>{"1", "2"}));
+  ASSERT_EQ(packing.attributes.size(), 1u);
+  EXPECT_EQ(packing.attributes[0].name, "fx");
+  EXPECT_TRUE(std::find(packing.notes.begin(), packing.notes.end(),
+                        "column 'type' stands twice, with the same values") != packing.notes.end());
+  expect_says(refusal(dump("id type type x y z radius", "1 1 1 0 0 0 0.5\n2 2 1 1 0 0 0.5\n")),
+              {"p.txt:11:", "'type' stands twice in 'ITEM: ATOMS", "as '2' and as '1'"});
+  expect_says(refusal("x,y,z,radius,q,q\n0,0,0,1,5,\n"), {"p.txt:2:", "'q' stands twice"});
 }
 
 TEST(ColumnNames, SeveralTimeStepsAreNotLaidOnTopOfEachOther) {

@@ -144,6 +144,18 @@ void SphereRows::require_one_position(std::span<const Value> cells, Vec3 centre,
                   builder_.where(line), names(columns_.position), names(columns_.second_position)));
 }
 
+template <class Value>
+void SphereRows::require_same_again(std::span<const Value> cells, std::size_t line) const {
+  for (const auto& [first, again] : columns_.repeated) {
+    if (cells[first] == cells[again]) continue;
+    const auto a = finite(cells[first]), b = finite(cells[again]);
+    if (a && b ? *a == *b : !a && !b && std::is_same_v<Value, double>) continue;  // 1 and 1.0, nan and nan
+    throw InputError(fmt::format("{}: column '{}' stands twice in {}, as {} and as {}; keep the right one",
+                                 builder_.where(line), layout_.names[first], layout_.header,
+                                 shown(cells[first]), shown(cells[again])));
+  }
+}
+
 void SphereRows::set_material(std::string_view name, std::size_t line) {
   if (name.empty())
     throw InputError(
@@ -173,6 +185,7 @@ void SphereRows::add_attributes(std::span<const Value> cells) {
 
 template <class Value>
 void SphereRows::add_row(std::span<const Value> cells, std::size_t line) {
+  if (!columns_.repeated.empty()) require_same_again(cells, line);
   Vec3 centre = point(cells, columns_.position, line);
   if (columns_.is_scaled()) centre = layout_.cell->point(centre);
   const double size = radius(cells, line);
@@ -215,6 +228,8 @@ void SphereRows::note_columns(Packing& packing) const {
   if (columns_.id == none) note("no ids: particles are numbered 0, 1, 2, ... in the order of the file");
   if (columns_.material != none)
     note(fmt::format("column '{}' is the material", layout_.names[columns_.material]));
+  for (const auto& [first, again] : columns_.repeated)
+    note(fmt::format("column '{}' stands twice, with the same values", layout_.names[first]));
   if (columns_.is_scaled()) note("positions are parts of the box");
   if (columns_.is_unwrapped())
     note("positions are unwrapped: put back into the box along the sides that the file calls periodic");

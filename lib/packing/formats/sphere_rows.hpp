@@ -54,6 +54,9 @@ class SphereRows {
                            std::size_t line) const;
   template <class Value>
   void require_one_position(std::span<const Value> cells, Vec3 centre, double size, std::size_t line) const;
+  /// What stands twice under one name must be the same.
+  template <class Value>
+  void require_same_again(std::span<const Value> cells, std::size_t line) const;
   template <class Value>
   void add_attributes(std::span<const Value> cells);
   void set_material(std::string_view name, std::size_t line);

@@ -44,6 +44,9 @@ void find_units(const ColumnFinder& finder, SphereColumns& columns) {
 
 void list_the_others(std::span<const std::string> names, SphereColumns& columns) {
   for (std::size_t k = 0; k < names.size(); ++k) {
+    if (std::any_of(columns.repeated.begin(), columns.repeated.end(),
+                    [k](const auto& one) { return one.second == k; }))
+      continue;
     const std::string name = lower_case(names[k]);
     if (name.empty() || name.starts_with("unnamed: "))
       columns.row_numbers.push_back(k);
@@ -59,6 +62,7 @@ SphereColumns find_sphere_columns(std::span<const std::string> names, const Colu
                                   const std::string& place, const std::string& header) {
   const ColumnFinder finder(names, rules, place, header);
   SphereColumns columns;
+  columns.repeated = finder.repeated();
   find_positions(finder, columns);
   columns.radius = finder.find(radius_names());
   columns.diameter = finder.find(diameter_names());

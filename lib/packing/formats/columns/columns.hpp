@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/text/delimited.hpp"
@@ -23,12 +24,14 @@ struct SphereColumns {
   Axes second_position = {none, none,
                           none};  ///< the same under other names, which must agree; none = there is none
   Positions positions = Positions::plain;
-  bool material_is_number = false;       ///< a type or the like: one value for all is no material
-  std::optional<double> unit;            ///< m; that the columns of positions say of themselves
-  double radius_unit = 1;                ///< in units of positions
-  double diameter_unit = 1;              ///< the same
-  double second_unit = 1;                ///< the same, of second_position
-  std::vector<std::size_t> attributes;   ///< every other column that has a name
+  bool material_is_number = false;      ///< a type or the like: one value for all is no material
+  std::optional<double> unit;           ///< m; that the columns of positions say of themselves
+  double radius_unit = 1;               ///< in units of positions
+  double diameter_unit = 1;             ///< the same
+  double second_unit = 1;               ///< the same, of second_position
+  std::vector<std::size_t> attributes;  ///< every other column that has a name
+  /// A column and another one of the very same name, which must have the same values.
+  std::vector<std::pair<std::size_t, std::size_t>> repeated;
   std::vector<std::size_t> row_numbers;  ///< columns without a name, as spreadsheets put before the first
 
   [[nodiscard]] bool is_scaled() const noexcept {
@@ -52,8 +55,8 @@ struct ColumnRules {
 /// known (r, d, Points:0, pos_x, "radius [mm]", ...). Where several would do, the more usual name wins and
 /// the others are attributes; a position is taken from names of one kind.
 ///   place, header   "file:line" and what the names stand in, for messages
-/// Throws InputError for a missing column, with the nearest name, and for one that stands twice, also where
-/// only upper and lower case, blanks or units differ.
+/// Throws InputError for a missing column, with the nearest name, and for names of which only upper and lower
+/// case, blanks or units differ. The very same name again is `repeated`.
 [[nodiscard]] SphereColumns find_sphere_columns(std::span<const std::string> names, const ColumnRules& rules,
                                                 const std::string& place, const std::string& header);
 

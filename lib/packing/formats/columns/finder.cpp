@@ -27,10 +27,12 @@ ColumnFinder::ColumnFinder(std::span<const std::string> names, const ColumnRules
   for (const auto& name : names)
     plain_.push_back(rules_.lammps && begins_an_attribute(name) ? PlainName{name, {}, {}} : plain_name(name));
   for (std::size_t k = 0; k < names.size(); ++k)
-    for (std::size_t j = 0; j < k; ++j)
-      if (!names[k].empty() && names[j] == names[k] && !is_of_format(j) && !is_of_format(k))
-        throw InputError(
-            fmt::format("{}: column '{}' stands twice in {}; keep one", place_, names[k], header_));
+    for (std::size_t j = 0; j < k; ++j) {
+      if (names[k].empty() || names[j] != names[k] || is_of_format(j) || is_of_format(k)) continue;
+      repeated_.emplace_back(j, k);
+      plain_[k] = {};
+      break;
+    }
 }
 
 bool ColumnFinder::is_of_format(std::size_t column) const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "packing/formats/columns/columns.hpp"
@@ -13,7 +14,6 @@ namespace superstep {
 
 class ColumnFinder {
  public:
-  /// Throws InputError for a name that stands twice.
   ColumnFinder(std::span<const std::string> names, const ColumnRules& rules, std::string place,
                std::string header);
 
@@ -26,6 +26,10 @@ class ColumnFinder {
   /// True where nothing is missing that the rules ask for.
   [[nodiscard]] bool is_complete(const SphereColumns::Axes& axes) const;
 
+  /// Columns, and others of the very same name, which nothing is found in.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& repeated() const noexcept {
+    return repeated_;
+  }
   [[nodiscard]] std::optional<double> unit(std::size_t column) const;
   [[nodiscard]] const std::string& written(std::size_t column) const { return written_[column]; }
   [[nodiscard]] const ColumnRules& rules() const noexcept { return rules_; }
@@ -43,6 +47,7 @@ class ColumnFinder {
   ColumnRules rules_;
   std::string place_, header_;
   std::vector<PlainName> plain_;
+  std::vector<std::pair<std::size_t, std::size_t>> repeated_;
 };
 
 }  // namespace superstep
