@@ -41,7 +41,7 @@ std::vector<LoadedCase> load_all(const BenchCommand& command) {
   std::vector<LoadedCase> cases;
   require_distinct_names(command.case_files);
   for (const auto& file : command.case_files) {
-    cases.push_back(load_bench_case(file));
+    cases.push_back(load_bench_case(file, command.common.quiet));
     if (!command.press_table && std::holds_alternative<Press>(cases.back().content))
       require_options_of_press(command, file);
   }

@@ -8,6 +8,7 @@
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/app/file_report.hpp"
+#include "bench/app/loaded_case.hpp"
 #include "bench/app/press/press_commands.hpp"
 #include "bench/host/terminal.hpp"
 #include "bench/output/system_files.hpp"
@@ -54,7 +55,8 @@ int execute(const InfoCommand& command) {
         "info: {} is about a packing file, and {} is a case, which says such things itself; leave "
         "it out, or give the packing",
         command.file.given.front(), command.case_file));
-  return std::visit([&](const auto& one) { return info(command, one); }, load_case(command.case_file));
+  return std::visit([&](const auto& one) { return info(command, one); },
+                    load_case_watched(parse_case(command.case_file), command.common.quiet));
 }
 
 CommandEntry info_command() {

@@ -181,7 +181,8 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
 int execute(const RunCommand& command) {
   check_specs_of_press(command.integrators);
   const bool whole = command.verify || command.vtk;  // what looks at all fields at once
-  const LoadedCase one = whole ? load_checked_case(command.case_file) : load_case_to_run(command.case_file);
+  const LoadedCase one = whole ? load_checked_case(command.case_file, command.common.quiet)
+                               : load_case_to_run(command.case_file, command.common.quiet);
   if (const auto* press = std::get_if<Press>(&one.content)) return run_press(command, *press, one.cpu_setup);
   return run_scene(command, std::get<Scene>(one.content), one.cpu_setup);
 }

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "bench/host/progress.hpp"
+#include "bench/host/terminal.hpp"
 #include "bench/measure/shared/shared_layers.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/content_hash.hpp"
@@ -20,14 +22,24 @@ namespace superstep {
 namespace {
 
 /// `begin` [s]: CPU time before the file was parsed.
-LoadedCase load(TomlTable root, double begin) {
-  LoadedCase one{.content = load_case(std::move(root))};
+LoadedCase load(TomlTable root, double begin, bool quiet) {
+  LoadedCase one{.content = load_case_watched(std::move(root), quiet)};
   one.cpu_setup = process_cpu_seconds() - begin;
   check_specs_of(one.head());
   return one;
 }
 
 }  // namespace
+
+Case load_case_watched(TomlTable root, bool quiet) {
+  Progress progress(!quiet && stderr_is_terminal());
+  bool begun = false;
+  return load_case(std::move(root), [&](double part) {
+    if (!begun) progress.begin("placing particles", 1);
+    begun = true;
+    progress.reached(part);
+  });
+}
 
 void check_specs_of(const CaseHead& head) {
   for (const auto& stated : head.stated_specs) try {
@@ -45,26 +57,26 @@ void prepare_for_bench(Scene& scene, const TomlTable& root) {
   if (!scene.own_output_times) scene.output_times = {0.02 * scene.t_end, 0.1 * scene.t_end, scene.t_end};
 }
 
-LoadedCase load_checked_case(const std::string& file) {
+LoadedCase load_checked_case(const std::string& file, bool quiet) {
   const double begin = process_cpu_seconds();
-  return load(parse_case(file), begin);
+  return load(parse_case(file), begin, quiet);
 }
 
-LoadedCase load_case_to_run(const std::string& file) {
+LoadedCase load_case_to_run(const std::string& file, bool quiet) {
   const double begin = process_cpu_seconds();
   TomlTable root = parse_case(file);
   auto scene = share_layers(file);
-  if (!scene) return load(std::move(root), begin);
+  if (!scene) return load(std::move(root), begin, quiet);
   LoadedCase one{.content = std::move(*scene)};
   one.cpu_setup = process_cpu_seconds() - begin;
   check_specs_of(one.head());
   return one;
 }
 
-LoadedCase load_bench_case(const std::string& file) {
+LoadedCase load_bench_case(const std::string& file, bool quiet) {
   const double begin = process_cpu_seconds();
   const TomlTable root = parse_case(file);
-  LoadedCase one = load(root, begin);
+  LoadedCase one = load(root, begin, quiet);
   if (auto* scene = std::get_if<Scene>(&one.content)) prepare_for_bench(*scene, root);
   return one;
 }

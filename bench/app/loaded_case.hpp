@@ -15,15 +15,18 @@ struct LoadedCase {
   [[nodiscard]] const CaseHead& head() const { return head_of(content); }
 };
 
+/// What goes on meanwhile is said on a terminal, unless `quiet`.
+[[nodiscard]] Case load_case_watched(TomlTable root, bool quiet);
+
 /// Loads a case and checks the SPECs that it states. Throws InputError.
-[[nodiscard]] LoadedCase load_checked_case(const std::string& file);
+[[nodiscard]] LoadedCase load_checked_case(const std::string& file, bool quiet = true);
 /// The same for a run, which needs no more of a scene than each of several processes can build for itself.
-[[nodiscard]] LoadedCase load_case_to_run(const std::string& file);
+[[nodiscard]] LoadedCase load_case_to_run(const std::string& file, bool quiet = true);
 
 /// The same for a benchmark: without output times of its own a scene is judged at 2, 10 and 100 % of the run,
 /// because at a steady end any damped method looks exact. Throws InputError, also for sizes that must be a
 /// slip in a unit: such a benchmark would not end.
-[[nodiscard]] LoadedCase load_bench_case(const std::string& file);
+[[nodiscard]] LoadedCase load_bench_case(const std::string& file, bool quiet = true);
 
 /// What `load_bench_case` does with the scene of a case that is loaded already, `root`. Throws InputError.
 void prepare_for_bench(Scene& scene, const TomlTable& root);

@@ -20,7 +20,8 @@ using Case = std::variant<Scene, Press>;
 /// Throws InputError with file, line, value, rule and way out.
 [[nodiscard]] Case load_case(const std::string& path);
 /// The same of a file that is parsed already; `root` then knows which keys were asked for.
-[[nodiscard]] Case load_case(TomlTable root);
+///   placed  told which part of a press's particles is placed, where that takes time
+[[nodiscard]] Case load_case(TomlTable root, const dynamics::Placed& placed = {});
 
 [[nodiscard]] const CaseHead& head_of(const Case& one);
 

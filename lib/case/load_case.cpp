@@ -93,8 +93,8 @@ Case load_case(const std::string& path) {
   return load_case(parse_case(path));
 }
 
-Case load_case(TomlTable root) {
-  if (root.find("dynamics")) return load_press(std::move(root));
+Case load_case(TomlTable root, const dynamics::Placed& placed) {
+  if (root.find("dynamics")) return load_press(std::move(root), std::nullopt, placed);
   return load_scene(std::move(root));
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -14,17 +15,25 @@ namespace superstep::dynamics {
 namespace {
 
 constexpr int most_attempts = 1'000'000;
+constexpr std::size_t between_reports = 1 << 17;  // attempts; some hundredths of a second
+
+double volume_of(const Box& box) {
+  const Vec3 size = box.max - box.min;
+  return size.x * size.y * size.z;
+}
 
 /// Bins as wide as a diameter or wider, each with the spheres whose centres lie in it.
 class Bins {
  public:
-  Bins(const Box& box, double radius) : origin_(box.min) {
+  Bins(const Box& box, double radius, std::size_t spheres) : origin_(box.min) {
     const Vec3 size = box.max - box.min;
     const std::array<double, 3> lengths = {size.x, size.y, size.z};
+    // More bins than a few for each sphere would only cost memory in a box that is nearly empty.
+    constexpr double for_each = 4, most = 256;
+    const double width =
+        std::max(2 * radius, std::cbrt(volume_of(box) / (for_each * static_cast<double>(spheres))));
     for (std::size_t k = 0; k < 3; ++k) {
-      // More bins than this would only cost memory in a box that is nearly empty.
-      constexpr double most = 256;
-      count_[k] = static_cast<std::size_t>(std::clamp(std::floor(lengths[k] / (2 * radius)), 1.0, most));
+      count_[k] = static_cast<std::size_t>(std::clamp(std::floor(lengths[k] / width), 1.0, most));
       width_[k] = lengths[k] / static_cast<double>(count_[k]);
     }
     members_.resize(count_[0] * count_[1] * count_[2]);
@@ -73,36 +82,60 @@ class Bins {
   std::vector<std::vector<Sphere>> members_;
 };
 
+/// Volume of the spheres over that of the box.
+double volume_fraction_of(const Box& box, const std::vector<double>& radii) {
+  double volume = 0;
+  for (const double r : radii) volume += 4 * std::numbers::pi / 3 * r * r * r;
+  return volume / volume_of(box);
+}
+
+[[noreturn]] void no_room(const std::string& what, double fraction) {
+  throw NumericalError(fmt::format(
+      "random sequential addition {}; the count asks for a volume fraction of {:.3f}, and the method "
+      "jams at 0.38: take fewer or smaller spheres, or a larger box",
+      what, fraction));
+}
+
+/// Refuses what no arrangement can be: equal spheres fill at most pi/sqrt(18) of a box, others less than all.
+void require_possible(const Box& box, const std::vector<double>& radii, double largest) {
+  const double smallest = *std::min_element(radii.begin(), radii.end());
+  const double most = smallest == largest ? std::numbers::pi / std::sqrt(18.0) : 1.0;
+  constexpr double rounding = 1e-9;
+  if (const double fraction = volume_fraction_of(box, radii); fraction > most * (1 + rounding))
+    no_room(fmt::format("found no room for {} spheres, nor would any arrangement of them", radii.size()),
+            fraction);
+}
+
 }  // namespace
 
 std::vector<Vec3> random_addition(const Box& box, std::size_t count, double radius, std::uint64_t seed) {
   return random_addition(box, std::vector<double>(count, radius), seed);
 }
 
-std::vector<Vec3> random_addition(const Box& box, const std::vector<double>& radii, std::uint64_t seed) {
+std::vector<Vec3> random_addition(const Box& box, const std::vector<double>& radii, std::uint64_t seed,
+                                  const Placed& placed) {
   if (radii.empty()) return {};
   const double largest = *std::max_element(radii.begin(), radii.end());
   Random random(seed);
-  Bins bins(box, largest);
+  Bins bins(box, largest, radii.size());
   std::vector<Vec3> centres;
+  std::size_t all_attempts = 0;
   for (const double radius : radii) {
     const Vec3 low = box.min + radius * Vec3{1, 1, 1}, high = box.max - radius * Vec3{1, 1, 1};
     if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z))
       throw NumericalError(
           fmt::format("a sphere of radius {} m does not fit into the box; take a smaller radius", radius));
+    if (centres.empty()) require_possible(box, radii, largest);
     int attempts = 0;
     Vec3 centre;
     do {
       if (++attempts > most_attempts) {
-        const Vec3 size = box.max - box.min;
-        double volume = 0;
-        for (const double r : radii) volume += 4 * std::numbers::pi / 3 * r * r * r;
-        throw NumericalError(
-            fmt::format("random sequential addition placed {} of {} spheres and found no room for the next "
-                        "in {} attempts; the count asks for a volume fraction of {:.3f}, and the method jams "
-                        "at 0.38: take fewer or smaller spheres, or a larger box",
-                        centres.size(), radii.size(), most_attempts, volume / (size.x * size.y * size.z)));
+        no_room(fmt::format("placed {} of {} spheres and found no room for the next in {} attempts",
+                            centres.size(), radii.size(), most_attempts),
+                volume_fraction_of(box, radii));
       }
+      if (++all_attempts % between_reports == 0 && placed)
+        placed(static_cast<double>(centres.size()) / static_cast<double>(radii.size()));
       centre = {random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
     } while (!bins.free(centre, radius));
     bins.add(centre, radius);

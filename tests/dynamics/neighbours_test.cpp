@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/error.hpp"
@@ -113,6 +115,37 @@ TEST(RandomAddition, PlacesWithoutOverlapInsideTheBox) {
   const auto again = random_addition(box, 1000, 0.075, 1), other = random_addition(box, 1000, 0.075, 2);
   EXPECT_EQ(again[999].x, centres[999].x);
   EXPECT_NE(other[999].x, centres[999].x);
+}
+
+/// In a nearly empty box there was a bin for each place that a sphere could have: 400 MB for these.
+TEST(RandomAddition, AFewSmallSpheresInALargeBoxTakeLittleMemory) {
+  const auto peak = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // kB
+  };
+  const auto before = peak();
+  EXPECT_EQ(random_addition({{0, 0, 0}, {0.6, 0.6, 0.6}}, 50, 5e-4, 1).size(), 50U);
+  EXPECT_LT(peak() - before, 50'000);
+}
+
+TEST(RandomAddition, SaysHowFarItIsAndRefusesTheImpossibleAtOnce) {
+  std::vector<double> parts;
+  const std::vector<double> radii(700, 0.05 * 1.26);
+  const auto watch = [&](double part) { parts.push_back(part); };
+  EXPECT_THROW((void)random_addition({{0, 0, 0}, {1, 1, 1}}, radii, 1, watch), NumericalError);
+  ASSERT_GT(parts.size(), 5U) << "a million attempts for the last one";
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_GT(parts.front(), 0);
+  EXPECT_LT(parts.back(), 1);
+  parts.clear();
+  (void)random_addition({{0, 0, 0}, {1, 1, 1}}, std::vector<double>(100, 0.05), 1, watch);
+  EXPECT_TRUE(parts.empty()) << "that takes a moment";
+  const std::string message = message_of<NumericalError>([&] {
+    (void)random_addition({{0, 0, 0}, {0.6, 0.6, 0.6}}, std::vector<double>(40'000, 0.01), 1, watch);
+  });
+  EXPECT_NE(message.find("nor would any arrangement"), std::string::npos) << message;
+  EXPECT_TRUE(parts.empty());
 }
 
 TEST(RandomAddition, FailureIsAClearError) {

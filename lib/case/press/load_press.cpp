@@ -129,7 +129,7 @@ Press load_press(const std::string& path, std::uint64_t seed) {
   return load_press(TomlTable::parse_file(path), seed);
 }
 
-Press load_press(TomlTable root, std::optional<std::uint64_t> seed) {
+Press load_press(TomlTable root, std::optional<std::uint64_t> seed, const dynamics::Placed& placed) {
   for (const char* key : {"title", "source", "t_end", "output_times", "bench", "corpus", "material",
                           "materials", "thermal", "electric", "dynamics"})
     (void)root.find(key);
@@ -137,7 +137,7 @@ Press load_press(TomlTable root, std::optional<std::uint64_t> seed) {
   Press press;
   read_head(root, press);
   read_motion_window(root, press);
-  ModelInput input = read_model(root, press.t_end, seed);
+  ModelInput input = read_model(root, press.t_end, seed, placed);
   read_stepping(*root.table("dynamics"), press);
   read_press_table(root, press);
   root.finish();

@@ -9,6 +9,7 @@
 #include "case/case_head.hpp"
 #include "dynamics/model.hpp"
 #include "dynamics/particles.hpp"
+#include "dynamics/random_addition.hpp"
 #include "dynamics/stepping.hpp"
 
 namespace superstep {
@@ -37,6 +38,8 @@ struct Press : CaseHead {
 /// The same with another seed for generated particles.
 [[nodiscard]] Press load_press(const std::string& path, std::uint64_t seed);
 /// The same of a file that is parsed already; `root` then knows which keys were asked for.
-[[nodiscard]] Press load_press(TomlTable root, std::optional<std::uint64_t> seed = std::nullopt);
+///   placed  told which part of generated particles is placed, where that takes time
+[[nodiscard]] Press load_press(TomlTable root, std::optional<std::uint64_t> seed = std::nullopt,
+                               const dynamics::Placed& placed = {});
 
 }  // namespace superstep

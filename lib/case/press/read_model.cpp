@@ -229,7 +229,8 @@ double smallest_radius(const Particles& particles) {
 
 }  // namespace
 
-ModelInput read_model(TomlTable& root, double t_end, std::optional<std::uint64_t> seed) {
+ModelInput read_model(TomlTable& root, double t_end, std::optional<std::uint64_t> seed,
+                      const Placed& placed) {
   ModelInput input;
   Model& model = input.model;
   const auto materials = read_press_materials(root, root.find("electric").has_value());
@@ -259,7 +260,7 @@ ModelInput read_model(TomlTable& root, double t_end, std::optional<std::uint64_t
   }
   model.schedule = read_phases(dynamics, model, t_end);
   read_particles(table_from(dynamics, "particles", "it holds count and radius, a list, or a file"), materials,
-                 initial, seed, input);
+                 initial, seed, placed, input);
   constexpr double usual_skin =
       0.2;  // of the smallest radius: wider lists more pairs, narrower lists oftener
   model.skin = positive_or(dynamics, "skin", usual_skin * smallest_radius(input.particles), "m");

@@ -9,6 +9,7 @@
 #include "core/text/toml.hpp"
 #include "dynamics/model.hpp"
 #include "dynamics/particles.hpp"
+#include "dynamics/random_addition.hpp"
 
 namespace superstep::dynamics {
 
@@ -25,7 +26,8 @@ struct ModelInput {
 /// would cross and a placement that finds no room are such errors.
 ///   t_end [s]  that the phases have to reach
 ///   seed       of generated particles, instead of the one that the case states
-[[nodiscard]] ModelInput read_model(TomlTable& root, double t_end,
-                                    std::optional<std::uint64_t> seed = std::nullopt);
+///   placed     told which part of them is placed, where that takes time
+[[nodiscard]] ModelInput read_model(TomlTable& root, double t_end, std::optional<std::uint64_t> seed,
+                                    const Placed& placed);
 
 }  // namespace superstep::dynamics

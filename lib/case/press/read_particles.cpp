@@ -119,7 +119,8 @@ std::vector<std::size_t> shared_out(const std::vector<PressMaterial>& materials,
   return out;
 }
 
-void generate(TomlTable& table, std::optional<std::uint64_t> other_seed, const Reading& reading) {
+void generate(TomlTable& table, std::optional<std::uint64_t> other_seed, const Placed& placed,
+              const Reading& reading) {
   const auto count = table.require("count", "give count and radius, a list of particles, or a file");
   if (count.integer() < 1) count.reject("there must be at least one particle");
   constexpr std::int64_t most = 100'000'000;
@@ -133,7 +134,7 @@ void generate(TomlTable& table, std::optional<std::uint64_t> other_seed, const R
   const auto material = shared_out(reading.materials, radii.size(), seed, table);
   std::vector<Vec3> centres;
   try {
-    centres = random_addition(reading.input.model.box, radii, seed);
+    centres = random_addition(reading.input.model.box, radii, seed, placed);
   } catch (const NumericalError& error) {
     throw InputError(fmt::format("{}: {}", table.where(), error.what()));
   }
@@ -245,7 +246,7 @@ void read_file(TomlTable& table, const TomlValue& file, const Reading& reading) 
 }  // namespace
 
 void read_particles(TomlTable table, const std::vector<PressMaterial>& materials, double initial,
-                    std::optional<std::uint64_t> seed, ModelInput& input) {
+                    std::optional<std::uint64_t> seed, const Placed& placed, ModelInput& input) {
   const Reading reading{materials, initial, input};
   for (const char* key : {"list", "file", "count", "radius", "sizes", "seed", "bonds", "shift", "length_unit",
                           "velocity_unit", "max_overlap"})
@@ -267,7 +268,7 @@ void read_particles(TomlTable table, const std::vector<PressMaterial>& materials
   else if (list)
     read_list(*list, reading);
   else
-    generate(table, seed, reading);
+    generate(table, seed, placed, reading);
   const auto largest = table.find("max_overlap");
   if (largest && !(largest->number() >= 0 && largest->number() < 1)) largest->reject("it must lie in [0, 1)");
   check_overlaps(input, largest ? std::optional(largest->number()) : std::nullopt, table.where());

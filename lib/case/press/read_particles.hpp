@@ -15,7 +15,8 @@ namespace superstep::dynamics {
 /// Generated and read particles are stored bin by bin, for locality.
 ///   initial [K]
 ///   seed    goes over the one that the case states
+///   placed  told which part of generated particles is placed, where that takes time
 void read_particles(TomlTable table, const std::vector<PressMaterial>& materials, double initial,
-                    std::optional<std::uint64_t> seed, ModelInput& input);
+                    std::optional<std::uint64_t> seed, const Placed& placed, ModelInput& input);
 
 }  // namespace superstep::dynamics
