@@ -45,7 +45,7 @@ void CurrentField::evaluate(const Placement& placement, const Electrodes& electr
                             std::span<const double> temperature, std::span<double> electric, Values values) {
   std::fill(heat_.begin(), heat_.end(), 0.0);
   std::fill(carrying_.begin(), carrying_.end(), 0);
-  if (law_.model == CurrentModel::none || !electrodes.any())
+  if (!flows(electrodes))
     std::fill(electric.begin(), electric.end(), 0.0);
   else if (law_.model == CurrentModel::averaging)
     averaging(placement, electrodes, temperature, electric, values);

@@ -33,6 +33,11 @@ class CurrentField {
   /// Keeps a reference to the particles.
   CurrentField(const ElectricLaw& law, const Particles& particles);
 
+  /// Whether these electrodes drive a current; nothing is looked at in a placement where they do not.
+  [[nodiscard]] bool flows(const Electrodes& electrodes) const noexcept {
+    return law_.model != CurrentModel::none && electrodes.any();
+  }
+
   /// Solves for `electric` [n] (currents, or potentials) at these contacts and fills `heat()`.
   void update(const Placement& placement, const Electrodes& electrodes, std::span<const double> temperature,
               std::span<double> electric);

@@ -97,7 +97,10 @@ void MovingNetwork::settle(State& state, const Phase& phase) {
     contacts_.begin_step();
   }
   const PartTimer timer(times.current);
-  current_.update(placement(), electrodes_of(phase), state.temperature, state.electric);
+  const Electrodes electrodes = electrodes_of(phase);
+  // Contacts are listed for a current alone.
+  current_.update(current_.flows(electrodes) ? placement() : Placement{}, electrodes, state.temperature,
+                  state.electric);
 }
 
 void MovingNetwork::refresh(State& state, const Phase& phase) {

@@ -37,6 +37,10 @@ void find_wall_contacts(const Box& box, double upper_wall, std::span<const Vec3>
   contacts.clear();
   for (std::size_t i = 0; i < position.size(); ++i) {
     const double r = radius[i];
+    const Vec3& p = position[i];
+    const double nearest = std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y,
+                                     p.z - box.min.z, upper_wall - p.z});
+    if (nearest >= r) continue;  // most; what is no number is looked at wall by wall
     for (std::int32_t w = 0; w < wall_count; ++w) {
       const auto wall = static_cast<Wall>(w);
       const double distance = wall_distance(box, upper_wall, wall, position[i]);

@@ -27,17 +27,25 @@ class HashGrid {
   /// All members, those of one cell (and most of its row of cells) side by side.
   [[nodiscard]] std::span<const GridEntry> entries() const noexcept { return entries_; }
 
-  /// Calls visit(entry) once for each member that accept(entry) holds for, among those whose cells come
-  /// nearer than `reach` [m] to `centre` along every axis. Returns how many members it had to look at.
+  enum class Cells : char {
+    all,
+    not_before,  ///< of two members in different cells one alone sees the other
+  };
+
+  /// Calls visit(entry, together) once for each member that accept(entry) holds for, among those whose cells
+  /// come nearer than `reach` [m] to `centre` along every axis; `together` where that is the cell of
+  /// `centre`. Returns how many members it had to look at.
   template <class Accept, class Visit>
-  std::size_t near(Vec3 centre, double reach, const Accept& accept, const Visit& visit) const {
+  std::size_t near(Vec3 centre, double reach, Cells cells, const Accept& accept, const Visit& visit) const {
+    const Cell own = cell_of(centre);
+    const bool half = cells == Cells::not_before;
     std::size_t looked_at = 0;
     const auto [x0, x1] = range(centre.x, reach);
     const auto [y0, y1] = range(centre.y, reach);
     const auto [z0, z1] = range(centre.z, reach);
-    for (std::int64_t z = z0; z <= z1; ++z)
-      for (std::int64_t y = y0; y <= y1; ++y)
-        for (std::int64_t x = x0; x <= x1;) {
+    for (std::int64_t z = half ? own.z : z0; z <= z1; ++z)
+      for (std::int64_t y = half && z == own.z ? own.y : y0; y <= y1; ++y)
+        for (std::int64_t x = half && z == own.z && y == own.y ? own.x : x0; x <= x1;) {
           // A row of cells is a run of buckets, cut where the table ends.
           const std::size_t bucket = bucket_of({x, y, z});
           const std::size_t run = std::min(static_cast<std::size_t>(x1 - x + 1), mask_ + 1 - bucket);
@@ -47,7 +55,8 @@ class HashGrid {
           for (std::size_t k = first; k < last; ++k) {
             if (!accept(entries_[k])) continue;
             const Cell cell = cell_of(entries_[k].centre);  // other cells may share the bucket
-            if (cell.y == y && cell.z == z && cell.x >= x && cell.x < end) visit(entries_[k]);
+            if (cell.y == y && cell.z == z && cell.x >= x && cell.x < end)
+              visit(entries_[k], cell.x == own.x && y == own.y && z == own.z);
           }
           x = end;
         }

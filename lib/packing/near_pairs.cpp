@@ -90,13 +90,13 @@ std::vector<NearPair> near_pairs(std::span<const Vec3> centres, std::span<const 
   for (const GridEntry& sphere : spheres)
     for (const auto& [grid, largest] : classes) {
       const bool own_class = size_of(sphere.radius) == size_of(largest);
-      const auto accept = [&](const GridEntry& other) {
-        return is_near(sphere, other, gap) && (!own_class || sphere.index < other.index);
-      };
-      const auto keep = [&](const GridEntry& other) {
+      const auto accept = [&](const GridEntry& other) { return is_near(sphere, other, gap); };
+      const auto keep = [&](const GridEntry& other, bool together) {
+        if (own_class && together && sphere.index >= other.index) return;  // both see each other, and itself
         pairs.push_back({std::min(sphere.index, other.index), std::max(sphere.index, other.index)});
       };
-      looked_at += grid.near(sphere.centre, sphere.radius + largest + gap, accept, keep);
+      const auto cells = own_class ? HashGrid::Cells::not_before : HashGrid::Cells::all;
+      looked_at += grid.near(sphere.centre, sphere.radius + largest + gap, cells, accept, keep);
       if (own_class) break;  // the finer classes look here themselves
     }
   if (candidates != nullptr) *candidates = looked_at;
