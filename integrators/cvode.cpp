@@ -95,7 +95,7 @@ void CvodeBdf::create_solver(double t) {
 /// tolerance.
 ///   smooth  whether the run has just passed a breakpoint without starting afresh
 void CvodeBdf::count_restart(double t, bool smooth) {
-  constexpr double few = 4, smallest_part = 0.05;
+  constexpr double few = 4, smallest_part = 0.01;
   if (t > t_begin_) {
     ++passed_;
     restarts_ += smooth ? 0 : 1;

@@ -15,6 +15,7 @@
 #include "network/components.hpp"
 #include "network/files/recognise_network.hpp"
 #include "packing/read.hpp"
+#include "results/text/json_numbers.hpp"
 #include "results/text/json_object.hpp"
 
 namespace superstep {
@@ -97,14 +98,6 @@ std::string packing_text(const Packing& packing, const std::string& path,
   return out;
 }
 
-Json optional_number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json positive_number(double value) {
-  return value > 0 ? Json(value) : Json(nullptr);
-}
-
 std::string packing_json(const Packing& packing, const std::string& path,
                          const std::optional<PackingConduction>& conduction) {
   const auto [smallest, largest] = std::minmax_element(packing.radius.begin(), packing.radius.end());
@@ -130,8 +123,8 @@ std::string packing_json(const Packing& packing, const std::string& path,
                          {"isolated", conduction->isolated},
                          {"effective_conductivity", optional_number(conduction->between_layers)},
                          {"effective_conductivity_periodic", optional_number(conduction->periodic)},
-                         {"length_m", positive_number(conduction->length)},
-                         {"cross_section_m2", positive_number(conduction->area)},
+                         {"length_m", positive_or_null(conduction->length)},
+                         {"cross_section_m2", positive_or_null(conduction->area)},
                          {"note", conduction->note},
                          {"transit_time_s", conduction->passes ? Json(conduction->time) : Json(nullptr)},
                          {"recommended", conduction->passes ? Json(conduction->method) : Json(nullptr)}};

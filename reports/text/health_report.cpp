@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "core/text/quantity.hpp"
+#include "results/text/json_numbers.hpp"
 
 namespace superstep {
 namespace {
@@ -153,19 +153,6 @@ void write_published(Text& text, const Scene& scene, const NetworkHealth& health
     const std::string ratio = figure.ours ? fmt::format("{:.3f}", *figure.ours / published->second) : "-";
     text.line(fmt::format("{:<34} {:>12.5g} {:>12} {:>9}", label, published->second, ours, ratio));
   }
-}
-
-/// JSON has no infinity: a step that nothing limits is null.
-nlohmann::json finite_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
-nlohmann::json optional_number(const std::optional<double>& value) {
-  return value ? finite_or_null(*value) : nlohmann::json(nullptr);
-}
-
-nlohmann::json positive_or_null(double value) {
-  return value > 0 ? nlohmann::json(value) : nlohmann::json(nullptr);
 }
 
 nlohmann::json electrodes_json(const ElectrodeFacts& facts) {
