@@ -24,9 +24,9 @@ MethodSpec other_family(const Scene& scene, const MethodSpec& spec, const RunRes
 RunCheck check_run(const Scene& scene, const MethodSpec& spec, const RunResult& run,
                    std::span<const std::vector<double>> states, const std::atomic<bool>& stop,
                    Progress& progress, const RunLimits& limits) {
-  constexpr double tighter = 0.1, tightest = 1e-12, worth_comparing = 0.5;
+  constexpr double tighter = 10, tightest = 1e-12, worth_comparing = 0.5;
   RunCheck check;
-  const double rtol = spec.rtol(), wanted = tighter * (rtol > 0 ? rtol : usual_tolerance);
+  const double rtol = spec.rtol(), wanted = (rtol > 0 ? rtol : usual_tolerance) / tighter;
   const MethodSpec other_method = other_family(scene, spec, run).with_tolerance(std::max(tightest, wanted));
   check.spec = other_method.text();
   if (rtol > 0 && tightest > worth_comparing * rtol) {
