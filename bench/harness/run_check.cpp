@@ -6,6 +6,7 @@
 
 #include "bench/harness/reference_pair.hpp"
 #include "bench/measure/metrics.hpp"
+#include "core/text/number.hpp"
 
 namespace superstep {
 namespace {
@@ -19,15 +20,20 @@ MethodSpec other_family(const Scene& scene, const MethodSpec& spec, const RunRes
   return ran.starts_with(pair.truth.name()) ? pair.check : pair.truth;
 }
 
+/// To the digits that one reads: a tenth of 1e-5 is no 1.0000000000000002e-06.
+double rounded(double tolerance) {
+  return parse_number(fmt::format("{:.6g}", tolerance)).value_or(tolerance);
+}
+
 }  // namespace
 
 RunCheck check_run(const Scene& scene, const MethodSpec& spec, const RunResult& run,
                    std::span<const std::vector<double>> states, const std::atomic<bool>& stop,
                    Progress& progress, const RunLimits& limits) {
-  constexpr double tighter = 10, tightest = 1e-12, worth_comparing = 0.5;
+  constexpr double tighter = 0.1, tightest = 1e-12, worth_comparing = 0.5;
   RunCheck check;
-  const double rtol = spec.rtol(), wanted = (rtol > 0 ? rtol : usual_tolerance) / tighter;
-  const MethodSpec other_method = other_family(scene, spec, run).with_tolerance(std::max(tightest, wanted));
+  const double rtol = spec.rtol(), wanted = tighter * (rtol > 0 ? rtol : usual_tolerance);
+  const MethodSpec other_method = other_family(scene, spec, run).with_tolerance(rounded(std::max(tightest, wanted)));
   check.spec = other_method.text();
   if (rtol > 0 && tightest > worth_comparing * rtol) {
     check.outcome = {Status::refused,
