@@ -33,7 +33,8 @@ RunCheck check_run(const Scene& scene, const MethodSpec& spec, const RunResult& 
   constexpr double tighter = 0.1, tightest = 1e-12, worth_comparing = 0.5;
   RunCheck check;
   const double rtol = spec.rtol(), wanted = tighter * (rtol > 0 ? rtol : usual_tolerance);
-  const MethodSpec other_method = other_family(scene, spec, run).with_tolerance(rounded(std::max(tightest, wanted)));
+  const MethodSpec other_method =
+      other_family(scene, spec, run).with_tolerance(rounded(std::max(tightest, wanted)));
   check.spec = other_method.text();
   if (rtol > 0 && tightest > worth_comparing * rtol) {
     check.outcome = {Status::refused,
