@@ -51,6 +51,8 @@ class ArkodeRungeKutta final : public SundialsPropagator {
 void ArkodeRungeKutta::prepare(Rhs& rhs, const Task& task) {
   arkode_.reset();
   prepare_vectors(rhs, task);
+  // Of a bend inside a step the two results of a pair know as little as each other.
+  part_of_share_ = rhs.traits().smooth ? 1 : 0.01;
   create_solver(task.t_begin);
 }
 

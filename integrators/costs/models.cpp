@@ -62,8 +62,6 @@ double lanczos_seconds(const Work& work, double rtol, const CostConstants& c) {
 /// times; dimensions are those that every spectrum needs.
 double invert_seconds(const Work& work, double rtol, const CostConstants& c) {
   const double factor_bytes = 16 * std::pow(work.unknowns, 4.0 / 3.0);
-  // Then the capacities, all that holds an insulated network, are below the roundings of the diagonal.
-  if (work.insulated && std::numeric_limits<double>::epsilon() * work.t_rho > 1) return never;
   if (rtol < tightest || factor_bytes > work.memory || work.shapes > 0) return never;
   const double size = work.unknowns / usual_size, digits = std::log10(1 / rtol);
   const double poles = std::max(1.0, std::ceil(work.output_decades / 2));
@@ -205,9 +203,10 @@ std::vector<Candidate> candidates(const Work& work, double rtol, const CostConst
     case Physics::linear:  // nothing explicit is faster where the exponential is exact in one field
       families = {Family::chebyshev, Family::lanczos, Family::shift_invert, Family::cvode_pcg,
                   Family::cvode_klu};
+      if (work.hidden) families = {Family::chebyshev, Family::cvode_pcg, Family::cvode_klu};
       break;
-    case Physics::one_way:
-      families = {Family::chebyshev, Family::rock, Family::exprb, Family::cvode_gmres};
+    case Physics::one_way:  // exprb knows a potential to a part of its whole span, its heat less well
+      families = {Family::chebyshev, Family::rock, Family::cvode_gmres};
       break;
     default:
       families = {Family::rock, Family::exprb, Family::cvode_gmres};

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
+#include "core/index.hpp"
 #include "rhs/network_rhs.hpp"
 #include "rhs/nonlinear_rhs.hpp"
 #include "rhs/one_way.hpp"
@@ -19,6 +21,25 @@ Physics physics_in(Rhs& rhs) {
   if (rhs.traits().linear && rhs.fields().size() == 1) return Physics::linear;
   if (exactly_solvable(rhs)) return Physics::one_way;
   return rhs.fields().size() > 1 ? Physics::coupled : Physics::nonlinear;
+}
+
+/// Whether some rows are joined to no held value and no surroundings.
+bool some_float(const Network& network) {
+  std::vector<char> held(network.size(), 0);
+  std::vector<std::size_t> next;
+  const auto reach = [&](std::size_t row) {
+    if (row >= held.size() || held[row]) return;  // rows of others are theirs to look at
+    held[row] = 1;
+    next.push_back(row);
+  };
+  for (const auto& edge : network.ghost_edges) reach(at(edge.row));
+  while (!next.empty()) {
+    const std::size_t row = next.back();
+    next.pop_back();
+    for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k)
+      reach(at(network.column[at(k)]));
+  }
+  return std::find(held.begin(), held.end(), 0) != held.end();
 }
 
 }  // namespace
@@ -44,13 +65,15 @@ Work work_of(Rhs& rhs, double t_begin, std::span<const double> output_times, dou
   for (const auto& field : rhs.facts().fields) nonzeros += static_cast<double>(field.nonzeros);
   const auto* network = dynamic_cast<const NetworkRhs*>(&rhs);
   const auto* nonlinear = dynamic_cast<const NonlinearRhs*>(&rhs);
+  const double t_rho = time * rhs.spectral_bound(t_begin, zero);
+  const bool fast = t_rho * std::numeric_limits<double>::epsilon() > 1;
   return {.physics = physics_in(rhs),
           .steady = nonlinear && nonlinear->solves_for_potential(),
           .smooth = rhs.traits().smooth,
-          .insulated = network != nullptr && network->network().ghost_edges.empty(),
+          .hidden = fast && network && some_float(network->network()),
           .unknowns = static_cast<double>(rhs.reduction().total()),
           .nonzeros = nonzeros,
-          .t_rho = time * rhs.spectral_bound(t_begin, zero),
+          .t_rho = t_rho,
           .pieces = 1 + static_cast<double>(std::count_if(points.begin(), points.end(), within)),
           .shapes = rhs.traits().linear ? static_cast<double>(rhs.input_shapes().size()) : 0,
           .output_decades = shortest > 0 && time > shortest ? std::log10(time / shortest) : 0,

@@ -24,9 +24,11 @@ constexpr double default_memory = 0x1p30;
 
 struct Work {
   Physics physics = Physics::linear;
-  bool steady = false;     ///< a potential is solved for at every state
-  bool smooth = true;      ///< no law bends
-  bool insulated = false;  ///< a linear field that nothing holds: it keeps what enters
+  bool steady = false;  ///< a potential is solved for at every state
+  bool smooth = true;   ///< no law bends
+  /// Exchanges are so much faster than the run that roundings hide what is slow, and some nodes of a linear
+  /// field are joined to no held value: nothing but their capacities holds them.
+  bool hidden = false;
   double unknowns = 0;
   double nonzeros = 0;             ///< of the fields' matrices off their diagonals
   double t_rho = 0;                ///< time times the certified bound of the spectral radius at zero [-]

@@ -182,9 +182,8 @@ class Elimination {
     for (const auto& [table, factor] : star.tabled) out.tabled.push_back({table, factor / sum});
     for (auto a = star.edge.begin(); a != star.edge.end(); ++a) {
       const double part = a->second / sum;
-      for (auto b = std::next(a); b != star.edge.end(); ++b)
-        if (!(graph_.is_fixed[at(a->first)] && graph_.is_fixed[at(b->first)]))
-          join(a->first, b->first, part * b->second);
+      // Also between held nodes: it moves no unknown, but their current flows through it.
+      for (auto b = std::next(a); b != star.edge.end(); ++b) join(a->first, b->first, part * b->second);
       for (const auto& [ambient, coefficient] : star.exchange)
         exchange(a->first, ambient, part * coefficient);
       for (const auto& [table, factor] : star.tabled) feed_table(a->first, table, part * factor);
