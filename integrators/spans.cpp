@@ -101,6 +101,21 @@ std::string pilot_method(Rhs& rhs, const Plan& plan, double t, std::span<const d
   return t_rho < much ? "exprb:rtol=1e-2" : "cvode:linsol=gmres,rtol=1e-2";
 }
 
+/// For another try after a run that failed since a field went far beyond what was guessed of it, as a
+/// temperature does that is heated by a potential still to come: a thousand times what was seen. False where
+/// none did.
+bool make_coarser(std::vector<double>& spans, const std::vector<bool>& known,
+                  const std::vector<FieldRange>& seen) {
+  constexpr double beyond = 10, more = 1e3;
+  bool changed = false;
+  for (std::size_t f = 0; f < spans.size(); ++f) {
+    if (known[f] || !std::isfinite(seen[f].span()) || !(seen[f].span() > beyond * spans[f])) continue;
+    spans[f] = more * seen[f].span();
+    changed = true;
+  }
+  return changed;
+}
+
 /// For another try after a run that failed: a hundredth of each span, though not less than what was seen on
 /// the way. False when that changes nothing.
 bool make_finer(std::vector<double>& spans, const std::vector<FieldRange>& seen) {
@@ -177,7 +192,8 @@ Spans find_spans(Rhs& rhs, const Plan& plan, double t, std::span<const double> y
     }
     if (outcome.status == Status::interrupted) break;
     if (!outcome.ok()) {  // too coarse, perhaps: errors beyond a law, growth that is none
-      const bool last = run == most_runs || !make_finer(spans, found);
+      const bool outgrown = outcome.status == Status::failed && make_coarser(spans, known, found);
+      const bool last = run == most_runs || !(outgrown || make_finer(spans, found));
       if (!last) continue;
       out.how += fmt::format("; it ended early: {}", outcome.reason);
       break;
