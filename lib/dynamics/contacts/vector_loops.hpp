@@ -12,11 +12,14 @@
 #define SUPERSTEP_CLONES
 #endif
 
-/// Before a loop whose turns do not depend on each other.
-#ifdef __clang__
-#define SUPERSTEP_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#else
+/// Before a loop whose turns do not depend on each other. clang warns where a sanitizer's checks keep it from
+/// making use of that.
+#ifndef __clang__
 #define SUPERSTEP_INDEPENDENT _Pragma("GCC ivdep")
+#elif __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SUPERSTEP_INDEPENDENT
+#else
+#define SUPERSTEP_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
 #endif
 
 namespace superstep::dynamics {
