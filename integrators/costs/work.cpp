@@ -23,23 +23,39 @@ Physics physics_in(Rhs& rhs) {
   return rhs.fields().size() > 1 ? Physics::coupled : Physics::nonlinear;
 }
 
-/// Whether some rows are joined to no held value and no surroundings.
+/// Whether some rows, here or elsewhere, are joined to no held value and no surroundings. Collective:
+/// processes that share a network tell each other what they have reached until nothing is new.
 bool some_float(const Network& network) {
-  std::vector<char> held(network.size(), 0);
+  const std::size_t rows = network.size();
+  std::vector<double> held(rows + (network.halo ? network.halo->size() : 0), 0.0);
   std::vector<std::size_t> next;
   const auto reach = [&](std::size_t row) {
-    if (row >= held.size() || held[row]) return;  // rows of others are theirs to look at
+    if (row >= rows || held[row] > 0) return;
     held[row] = 1;
     next.push_back(row);
   };
+  const auto spread = [&] {
+    while (!next.empty()) {
+      const std::size_t row = next.back();
+      next.pop_back();
+      for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k)
+        reach(at(network.column[at(k)]));
+    }
+  };
   for (const auto& edge : network.ghost_edges) reach(at(edge.row));
-  while (!next.empty()) {
-    const std::size_t row = next.back();
-    next.pop_back();
-    for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k)
-      reach(at(network.column[at(k)]));
+  spread();
+  bool more = network.halo != nullptr;
+  while (more) {
+    network.halo->fetch(held.data(), held.data() + rows);
+    for (std::size_t row = 0; row < rows; ++row)
+      for (auto k = network.row_begin[row]; k < network.row_begin[row + 1]; ++k)
+        if (const std::size_t other = at(network.column[at(k)]); other >= rows && held[other] > 0) reach(row);
+    more = network.halo->among().any(!next.empty());
+    spread();
   }
-  return std::find(held.begin(), held.end(), 0) != held.end();
+  const bool floats = std::any_of(held.begin(), held.begin() + static_cast<std::ptrdiff_t>(rows),
+                                  [](double reached) { return !(reached > 0); });
+  return network.halo ? network.halo->among().any(floats) : floats;
 }
 
 }  // namespace

@@ -39,14 +39,9 @@ void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   set_stage_times(scheme);
 }
 
-namespace {
-
-/// f(y0 + d) = f(y0) + K d for any d and time.
-bool evaluates_changes(const Rhs& rhs) {
+bool evaluates_changes(const Rhs& rhs) noexcept {
   return rhs.traits().linear && rhs.traits().autonomous;
 }
-
-}  // namespace
 
 void ThreeTermEngine::resize(std::size_t size, bool finishing) {
   result_.resize(size);

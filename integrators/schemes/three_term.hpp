@@ -52,6 +52,9 @@ void set_stage_times(ThreeTermScheme& scheme);
 /// method.
 void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme);
 
+/// Whether f(y0 + d) = f(y0) + K d for any change d and at any time, so that stages can be changes alone.
+[[nodiscard]] bool evaluates_changes(const Rhs& rhs) noexcept;
+
 /// Work vectors of the recurrence, allocated once.
 class ThreeTermEngine {
  public:
@@ -59,9 +62,9 @@ class ThreeTermEngine {
   void resize(std::size_t size, bool finishing = false);
   /// One step from y0 over h. `f0` = f(t, y0) when the scheme uses it, else may be empty (the engine sweeps
   /// for itself).
-  /// Schemes `by_change` keep their stages as changes from y0, and linear autonomous right-hand sides are
-  /// even evaluated at the change. Others are so with a finishing procedure only, where that saves as much.
-  /// The result is in `result()` until the next call; y0 is left as it is.
+  /// A scheme `by_change` keeps its stages as changes from y0: always where it has a finishing procedure,
+  /// which multiplies roundings most, and otherwise where f can be evaluated at the change, so that no sweep
+  /// is longer. The result is in `result()` until the next call; y0 is left as it is.
   void step(Rhs& rhs, const ThreeTermScheme& scheme, double t, double h, std::span<const double> y0,
             std::span<const double> f0);
   [[nodiscard]] StateVector& result() noexcept { return result_; }

@@ -172,5 +172,82 @@ TEST(HiddenChange, AHeatStillToComeIsInTheSpan) {
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_NEAR(others[k], values[k], 2e-4 * rise) << k;
 }
 
+/// A source feeds a body of a hundredth of the other's potential, whose heat alone moves a temperature.
+TEST(HiddenChange, ALowPotentialHeatsAsItShouldBesideAHighOne) {
+  const test::CaseFolder folder;
+  const char* material =
+      "[[materials]]\nname = \"{}\"\ndensity = 5000.0\nthermal = {{ conductivity = {}, specific_heat = {} "
+      "}}\n"
+      "electric = {{ conductivity = {}, specific_capacity = {} }}\n";
+  const Scene scene = load_scene(write_spheres(
+      folder, "t_end = 0.428\n", {6.21e-4, 4.72e-4, 5.61e-4, 1.05e-4, 9.27e-5},
+      "1,2,1.62e-4\n2,3,8.51e-5\n4,5,4.13e-5\n", 2,
+      "conductance = \"pipe\"\n" + fmt::format(fmt::runtime(material), "m0", 12.3, 463.0, 1260.0, 1490.0) +
+          fmt::format(fmt::runtime(material), "m1", 7.13, 544.0, 177.0, 5.94e5) +
+          "[electric]\nmode = \"transient\"\ninitial = 0.0\nfixed = [ { where = { ids = [1, 4] }, value = "
+          "0.0 } ]\n"
+          "source = [ { where = { ids = [3] }, value = 1.26e-3 }, { where = { ids = [5] }, value = 6.94e-5 } "
+          "]\n"
+          "[thermal]\ninitial = 300.0\nfixed = [ { where = { ids = [1, 2, 3] }, value = 300.0 } "
+          "]\nconvection = [ { "
+          "where = { ids = [4, 5] }, coefficient = 4350.0, ambient = 300.0 } ]\n"));
+  const auto right = temperatures(scene, "cvode:rtol=1e-9");
+  const double span = *std::max_element(right.begin(), right.end()) - 300;
+  for (const double rtol : {1e-3, 1e-4, 1e-5})
+    for (const char* method : {"auto", "rkc", "exponential"}) {
+      const auto values = temperatures(scene, fmt::format("{}:rtol={}", method, rtol));
+      for (std::size_t k = 0; k < right.size(); ++k)
+        EXPECT_NEAR(values[k], right[k], 3 * rtol * span) << method << ' ' << rtol << ' ' << k;
+    }
+}
+
+/// Two hundred turns of a sawtooth, with a jump in each; the heat of all of them stays.
+TEST(HiddenChange, ErrorsOfManyTurnsDoNotAddUp) {
+  const test::CaseFolder folder;
+  const Scene scene =
+      load_scene(write_spheres(folder, "t_end = 1.0\n", {1e-3, 1e-3, 1e-3}, "1,2,3e-4\n2,3,3e-4\n", 0,
+                               "conductance = \"series\"\n[[materials]]\nname = \"m0\"\ndensity = "
+                               "5000.0\nthermal = { conductivity = 20.0, "
+                               "specific_heat = 500.0 }\nelectric = { conductivity = 1e4, specific_capacity "
+                               "= 3000.0 }\n[electric]\nmode = "
+                               "\"transient\"\ninitial = 0.0\nfixed = [ { where = { ids = [1] }, value = { "
+                               "times = [0.0, 0.003], values = "
+                               "[-0.1, 0.1], period = 0.005 } }, { where = { ids = [3] }, value = 0.0 } "
+                               "]\n[thermal]\ninitial = 300.0\n"));
+  const double right = temperatures(scene, "exponential:rtol=1e-8")[0], rise = right - 300;
+  for (const char* spec :
+       {"auto", "trapezoidal:rtol=1e-4", "rkc:rtol=1e-4", "rkl:rtol=1e-4", "cvode:rtol=1e-4"})
+    EXPECT_NEAR(temperatures(scene, spec)[0], right, 7e-4 * rise) << spec;
+}
+
+/// A held temperature comes down for seconds while conductivities follow it by smooth laws.
+TEST(HiddenChange, ASlowPhaseBehindAStepIsNoEasyOne) {
+  const test::CaseFolder folder;
+  const Scene scene = load_scene(
+      write_spheres(folder, "t_end = 26.2\noutput_times = [4.0, 6.7, 18.3, 26.2]\n",
+                    {8.24e-4, 8.65e-4, 7.77e-4}, "1,2,7.22e-5\n1,3,6.20e-5\n2,3,4.20e-5\n", 0,
+                    "conductance = \"series\"\n[[materials]]\nname = \"m0\"\ndensity = 5000.0\nthermal = { "
+                    "conductivity = { law = "
+                    "\"sigmoid\", value = 42.0, amplitude = 10.0, steepness = 0.0714, reference = 322.0 }, "
+                    "specific_heat = 500.0 "
+                    "}\nelectric = { conductivity = { law = \"sigmoid\", value = 2.16e4, amplitude = 2.0, "
+                    "steepness = 0.0143, "
+                    "reference = 315.6 }, specific_capacity = 4.46e4 }\n[electric]\nmode = "
+                    "\"transient\"\ninitial = -0.0115\nfixed "
+                    "= [ { where = { ids = [1] }, value = -0.0385 }, { where = { ids = [2] }, value = { "
+                    "times = [0.0, 0.0, 13.1, "
+                    "26.2], values = [0.0064, 0.0435, 0.0434, 0.0134] } } ]\n[thermal]\ninitial = "
+                    "300.0\nfixed = [ { where = { ids "
+                    "= [3] }, value = { times = [0.0, 3.66, 3.66, 26.2], values = [308.8, 345.7, 343.5, "
+                    "315.6] } } ]\nconvection "
+                    "= [ { where = { ids = [1, 2, 3] }, coefficient = 108.5, ambient = 312.4 } ]\n"));
+  const auto right = temperatures(scene, "cvode:rtol=1e-9");
+  constexpr double span = 45.7;  // K: 345.7 - 300
+  for (const char* method : {"auto", "exprb", "rkc"})
+    for (const double rtol : {1e-4, 1e-5})
+      EXPECT_NEAR(temperatures(scene, fmt::format("{}:rtol={}", method, rtol))[1], right[1], 3 * rtol * span)
+          << method << ' ' << rtol;
+}
+
 }  // namespace
 }  // namespace superstep

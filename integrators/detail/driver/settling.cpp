@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace superstep {
 namespace {
@@ -37,27 +39,32 @@ bool Settling::is_steady(double t, std::span<const double> y) {
     seen_.assign(now.begin(), now.end());
     return false;
   }
-  if (final_.empty()) final_ = coupling_->steady_driver(residual_);
+  if (final_.empty()) find_final_state(t);
   if (final_.size() != now.size()) coupling_ = nullptr;  // it goes on for ever
   if (!coupling_ || !(rms_distance(driver.reduction(), now, final_) <= allowed_)) return false;
-  if (heats_alike(t, now)) return true;
-  // It still moves, or its end is not known well enough where it is small.
-  constexpr double finer = 1e-3, finest = 1e-14;
-  if (residual_ > finest) {
+  const double before = std::exchange(difference_, heat_still_to_differ(t, now));
+  if (difference_ <= allowed_driven_) return true;
+  // What moves comes nearer from look to look; else its end is not known well enough where it is small.
+  constexpr double nearer = 0.8, finer = 1e-3, finest = 1e-14;
+  if (difference_ > nearer * before && residual_ > finest) {
     residual_ = std::max(finest, finer * residual_);
     final_.clear();
   }
   return false;
 }
 
-/// Whether the heat of now and that of the end do the same to the driven field in the time that is left. A
-/// part of low potential, or of little capacity, may be far from its end while the span of the others hides
+void Settling::find_final_state(double t) {
+  final_ = coupling_->steady_driver(residual_);
+  difference_ = std::numeric_limits<double>::infinity();
+  if (final_.size() == coupling_->driver().size()) coupling_->rate(t, final_, final_rate_);
+}
+
+/// By how much the heat of now and that of the end let the driven field differ in the time that is left [K].
+/// A part of low potential, or of little capacity, may be far from its end while the span of the others hides
 /// it.
-bool Settling::heats_alike(double t, std::span<const double> now) {
+double Settling::heat_still_to_differ(double t, std::span<const double> now) {
   coupling_->rate(t, now, rate_);
-  coupling_->rate(t, final_, final_rate_);
-  const Reduction& driven = coupling_->driven().reduction();
-  return rms_distance(driven, rate_, final_rate_) * (t_end_ - t) <= allowed_driven_;
+  return rms_distance(coupling_->driven().reduction(), rate_, final_rate_) * (t_end_ - t);
 }
 
 }  // namespace superstep

@@ -21,9 +21,11 @@ class Settling {
   [[nodiscard]] std::span<const double> final_state() const noexcept { return final_; }
 
  private:
-  [[nodiscard]] bool heats_alike(double t, std::span<const double> now);
+  void find_final_state(double t);
+  [[nodiscard]] double heat_still_to_differ(double t, std::span<const double> now);
 
   OneWayCoupling* coupling_ = nullptr;
+  double difference_ = 0;  // heat_still_to_differ at the last look
   double residual_ = 0, allowed_ = 0, allowed_driven_ = 0, t_end_ = 0, next_look_ = 0;
   std::vector<double> seen_;   ///< driver's state at the last look
   std::vector<double> final_;  ///< the steady one, worked out when it seems to be reached

@@ -73,11 +73,10 @@ void Stabilised::prepare(Rhs& rhs, const Task& task) {
   // A nonlinear right-hand side sees the state with its roundings, not only the change within the step.
   constexpr double state_over_change = 16;
   const bool multiplies = family_.stiff_end > 0;
-  const bool by_change = rhs.traits().linear && rhs.traits().autonomous;
   const double of_values = task.rounding > 0 ? std::numeric_limits<double>::epsilon() / task.rounding : rtol_;
-  stage_limit_ = family_.stages_within_rounding(!multiplies ? of_values
-                                                : by_change ? rtol_
-                                                            : of_values / state_over_change);
+  stage_limit_ = family_.stages_within_rounding(!multiplies              ? of_values
+                                                : evaluates_changes(rhs) ? rtol_
+                                                                         : of_values / state_over_change);
   for (auto* v : {&scheme_.m, &scheme_.n, &scheme_.mt, &scheme_.gt, &scheme_.c})
     v->reserve(static_cast<std::size_t>(family_.most_stages) + 1);
   scheme_.stages = 0;

@@ -139,6 +139,11 @@ std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field, const Fie
   const auto& graph = state.graph;
   const auto levels = fixed_levels(graph);
   if (field.name != "potential" || levels.size() != 2) return std::nullopt;
+  // What they are fed leaves in part through held nodes, and heats: neither is in the graph without them.
+  const bool hidden =
+      std::any_of(field.algebraic.begin(), field.algebraic.end(),
+                  [](const AlgebraicNode& node) { return node.constant != 0 || !node.tabled.empty(); });
+  if (hidden) return std::nullopt;
   const double low = *levels.begin(), high = *levels.rbegin();
   try {
     const auto roles = steady_roles(graph);

@@ -29,7 +29,8 @@ struct ElectrodeFacts {
   double joule_heat = 0;  ///< W, summed over the branches; without sources voltage times current
 };
 
-/// Facts of the electric field between exactly two distinct fixed potentials; nothing for other fields.
+/// Facts of the electric field between exactly two distinct fixed potentials; nothing for other fields, and
+/// where a node of capacity 0 is fed.
 /// Throws nothing: a network that cannot be solved has no facts.
 [[nodiscard]] std::optional<ElectrodeFacts> electrode_facts(const FieldScene& field,
                                                             const FieldAtState& state);
