@@ -88,5 +88,5 @@ if [[ $preset == release ]]; then
   gate
   check_tidy
   check_readers
-  if command -v clang++ >/dev/null; then tests/fuzz/run.sh 20 packing network; fi
+  if command -v clang++ >/dev/null; then tests/fuzz/run.sh --seed 1 20 packing network; fi
 fi

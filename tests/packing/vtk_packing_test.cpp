@@ -224,6 +224,17 @@ TEST(VtkLegacy, EveryKindOfDataIsReadOrNamed) {
       << message;
 }
 
+TEST(VtkLegacy, DataBelongToOneListOfPoints) {
+  const std::string once = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\n",
+                    data = "POINT_DATA 1\nSCALARS radius float 1\nLOOKUP_TABLE default\n1\n",
+                    again = "POINTS 2 float\n0 0 0 1.9 0 0\n";
+  for (const auto& text : {once + data + again, once + again + data})
+    EXPECT_NE(refusal(text).find("POINTS stands twice"), std::string::npos) << text;
+  EXPECT_NE(refusal(once + "POINT_DATA 2\nSCALARS radius float 1\nLOOKUP_TABLE default\n1 1\n")
+                .find("POINT_DATA announces 2 points, and POINTS has 1"),
+            std::string::npos);
+}
+
 TEST(VtkLegacy, NamesHaveTheirBlanksBack) {
   const auto packing = read_text(
       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n0 0 0 0 0 1\nPOINT_DATA 2\n"

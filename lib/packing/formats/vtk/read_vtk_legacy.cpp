@@ -138,6 +138,8 @@ class LegacyReader {
   void section() {
     const std::string_view key = words_[0];
     if (key == "POINTS") {
+      if (in_data_ || !points_.empty())
+        walker_.fail("POINTS stands twice, or below data; a file holds one list of points, above their data");
       tuples_ = count_of(walker_, words_, 1);
       components_ = 3;
       points_ = walker_.values(3 * tuples_, word(words_, 2), "POINTS", true);
@@ -153,6 +155,10 @@ class LegacyReader {
       in_data_ = true;
       of_points_ = key == "POINT_DATA";
       tuples_ = count_of(walker_, words_, 1);
+      if (of_points_ && 3 * tuples_ != points_.size())
+        walker_.fail(fmt::format("POINT_DATA announces {} points, and POINTS has {}; the file is damaged: "
+                                 "write it again",
+                                 tuples_, points_.size() / 3));
     } else if (key == "METADATA") {
       metadata();
     } else if (key == "SCALARS") {
