@@ -31,8 +31,8 @@ struct Traffic {
 class Exchange {
  public:
   virtual ~Exchange() = default;
-  /// Sends what others need of `owned` and goes on receiving into `halo`, both of which must stay until
-  /// `end`.
+  /// Sends what others need of `owned`, which may then be written over, and goes on receiving into `halo`
+  /// until `end`.
   virtual void begin(const double* owned, double* halo) = 0;
   virtual void end() = 0;
   /// What one round sends.

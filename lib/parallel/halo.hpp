@@ -17,8 +17,10 @@ class Halo {
   [[nodiscard]] Communicator& among() const noexcept { return *among_; }
   [[nodiscard]] const Partition& partition() const noexcept { return partition_; }
   [[nodiscard]] std::size_t size() const noexcept { return rows_.size(); }
+  /// The global row that a value is of.
+  [[nodiscard]] std::int64_t row(std::size_t k) const noexcept { return rows_[k]; }
 
-  /// Between the two other work goes on; nothing may write into `owned` or read `values` [size()].
+  /// Between the two other work goes on; nothing may read `values` [size()].
   void begin(const double* owned, double* values);
   void end() { exchange_->end(); }
   /// Both at once.

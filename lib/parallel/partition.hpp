@@ -10,10 +10,12 @@
 
 namespace superstep {
 
-/// Rows of a block, a multiple of eight. Set before the first scene is built; sums may differ in their last
-/// bits between one number and another below 1024.
+/// Rows of a block, a multiple of eight; 0 = as usual. Set before the first scene is built; sums may differ
+/// in their last bits between one number and another below 1024.
 [[nodiscard]] std::size_t block_rows() noexcept;
 void set_block_rows(std::size_t rows) noexcept;
+/// What a wish, 0 = none, comes to among so many rows of a field.
+[[nodiscard]] std::size_t block_rows_among(std::int64_t rows, std::size_t wish = block_rows()) noexcept;
 
 /// Terms that are added up as they come before they enter an exact sum; blocks hold whole chunks.
 [[nodiscard]] std::size_t chunk_rows() noexcept;
@@ -21,8 +23,12 @@ void set_block_rows(std::size_t rows) noexcept;
 class Partition {
  public:
   Partition() = default;
+  ///   block  rows of one, 0 = as usual
   Partition(std::int64_t rows, int processes, int rank, std::size_t block) noexcept
-      : rows_(rows), block_(static_cast<std::int64_t>(block)), processes_(processes), rank_(rank) {}
+      : rows_(rows),
+        block_(static_cast<std::int64_t>(block_rows_among(rows, block))),
+        processes_(processes),
+        rank_(rank) {}
 
   [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
   [[nodiscard]] int processes() const noexcept { return processes_; }

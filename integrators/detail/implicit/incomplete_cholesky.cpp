@@ -10,13 +10,15 @@ namespace superstep {
 IncompleteCholesky::IncompleteCholesky(Rhs& rhs) : rhs_(rhs), jacobian_(rhs) {
   for (const double capacity : rhs.capacities()) root_.push_back(std::sqrt(capacity));
   scaled_.resize(static_cast<Eigen::Index>(rhs.size()));
-  for (const auto& field : rhs.fields())
-    for (std::size_t first = 0; first < field.count; first += block_rows()) {
+  for (const auto& field : rhs.fields()) {
+    const std::size_t rows = block_rows_among(static_cast<std::int64_t>(field.total()));
+    for (std::size_t first = 0; first < field.count; first += rows) {
       auto& block = *blocks_.emplace_back(std::make_unique<Block>());
       block.first = field.offset + first;
-      block.size = std::min(block_rows(), field.count - first);
+      block.size = std::min(rows, field.count - first);
       build_block(block);
     }
+  }
 }
 
 void IncompleteCholesky::build_block(Block& block) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/index.hpp"
 #include "network/network.hpp"
 #include "rhs/kernels/sliced_rows.hpp"
 #include "rhs/stage.hpp"
@@ -34,8 +35,8 @@ class BoundaryRows {
     std::vector<std::int64_t>().swap(interior_begin_);
     std::vector<std::int64_t>().swap(row_begin_);
   }
-  /// Calls each(row, column, value) for the entries of the boundary's own rows; -1 = a column of somebody
-  /// else.
+  /// Calls each(row, column, value) for the entries of the boundary's own rows; columns from `rows` on are of
+  /// the halo.
   template <class Each>
   void for_entries(std::size_t rows, const Each& each) const;
 
@@ -84,7 +85,7 @@ void BoundaryRows::for_entries(std::size_t rows, const Each& each) const {
     if (own >= rows) return;
     rows_.for_row(k, [&](std::int32_t place, double value) {
       const auto copied = static_cast<std::size_t>(place);
-      each(own, copied < source_.size() ? source_[copied] : -1, value);
+      each(own, copied < source_.size() ? at(source_[copied]) : rows + (copied - source_.size()), value);
     });
   }
 }

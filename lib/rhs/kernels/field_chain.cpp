@@ -1,8 +1,11 @@
 /// Chains of stages on one field's network: those that fit into the cache together pass over it together.
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "rhs/kernels/field_operator.hpp"
+#include "rhs/kernels/flanks.hpp"
 
 namespace superstep {
 namespace {
@@ -17,24 +20,109 @@ SkewedBlocks FieldOperator::chain_blocks() const noexcept {
   return {rate_.slices(), reach, smallest_block, threads_for(size())};
 }
 
-std::size_t FieldOperator::chain_depth() const noexcept {
+std::size_t FieldOperator::chain_bytes() const noexcept {
   constexpr std::size_t entry_bytes = sizeof(double) + sizeof(std::int32_t), vectors = 3;
-  if (!constant_inputs_ || boundary_ || rate_.slices() == 0) return 1;
-  const std::size_t bytes = rate_.entries() * entry_bytes + size() * vectors * sizeof(double);
-  if (bytes <= cache_bytes_) return 1;  // it stays in the cache as it is
+  return rate_.entries() * entry_bytes + size() * vectors * sizeof(double);
+}
+
+std::size_t FieldOperator::depth_in_cache() const noexcept {
   const auto blocks = chain_blocks();
-  const std::size_t slices_in_cache = cache_bytes_ / (bytes / rate_.slices() + 1);
+  const std::size_t slices_in_cache = cache_bytes_ / (chain_bytes() / rate_.slices() + 1);
   std::size_t depth = 1;
   while (depth < longest_chain && blocks.rows_in_flight(depth + 1) <= slices_in_cache) ++depth;
   return depth;
 }
 
+std::size_t FieldOperator::chain_depth() const noexcept {
+  if (!constant_inputs_ || boundary_ || rate_.slices() == 0) return 1;
+  return chain_bytes() <= cache_bytes_ ? 1 : depth_in_cache();  // it stays in the cache as it is
+}
+
+/// Stages that share a halo, by what they cost in rows swept: others' rows, half of depth - 1 reaches a cut
+/// in the mean; a wait for others, once; and memory, where the rows leave the cache between stages.
+std::size_t FieldOperator::best_depth(std::size_t reach, std::size_t cuts) const noexcept {
+  constexpr double wait = 1e4, traffic = 0.5;  // rows; of the time of a sweep out of memory. Measured.
+  const std::size_t slices = size() / SlicedRows::lanes;
+  const bool leaves_cache = chain_bytes() > cache_bytes_;
+  const std::size_t most = std::min({longest_chain, slices / std::max<std::size_t>(1, cuts * reach),
+                                     leaves_cache && slices > 0 ? depth_in_cache() : longest_chain});
+  std::size_t best = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t depth = 1; depth <= most; ++depth) {
+    const auto d = static_cast<double>(depth);
+    const double own = static_cast<double>(size()) * (leaves_cache ? 1 - traffic + traffic / d : 1.0),
+                 others = (d - 1) / 2 * static_cast<double>(cuts * reach * SlicedRows::lanes);
+    if (const double cost = own + others + wait / d; cost < least) {
+      least = cost;
+      best = depth;
+    }
+  }
+  return best;
+}
+
+void FieldOperator::find_flanks() {
+  flanks_are_known_ = true;
+  const Halo& halo = *network_.halo;
+  const auto& partition = halo.partition();
+  double furthest = 0;
+  for_rates([&](std::size_t row, std::size_t column, double /*rate*/) {
+    const auto there =
+        column < size() ? static_cast<std::int64_t>(column) : halo.row(column - size()) - partition.begin();
+    furthest = std::max(furthest, std::abs(static_cast<double>(there - static_cast<std::int64_t>(row))));
+  });
+  const auto reach = static_cast<std::size_t>(
+      std::ceil(std::max(halo.among().max(furthest), 1.0) / static_cast<double>(SlicedRows::lanes)));
+  const int cuts = (partition.begin() > 0 ? 1 : 0) + (partition.end() < partition.rows() ? 1 : 0);
+  const auto depth = static_cast<std::size_t>(
+      halo.among().min(static_cast<double>(best_depth(reach, static_cast<std::size_t>(cuts)))));
+  if (depth > 1) flanks_ = std::make_shared<Flanks>(*this, reach, depth);
+}
+
 void FieldOperator::chain(std::span<ChainedStage> stages, bool with_inflow, std::span<const double> drive,
                           ChainObserver* observer) {
-  const std::size_t depth = chain_depth();
-  for (std::size_t first = 0; first < stages.size(); first += depth)
-    pass_together(stages.subspan(first, std::min(depth, stages.size() - first)), first, with_inflow, drive,
-                  observer);
+  // Sums of the inflow go through all rows in order, which rows beside cuts do not.
+  const bool may_share = boundary_ && constant_inputs_ && !with_inflow;
+  if (may_share && stages.size() > 1 && !flanks_are_known_) find_flanks();
+  const bool shares = may_share && flanks_;
+  const std::size_t depth = shares ? flanks_->depth() : chain_depth();
+  if (shares) flanks_->begin_chain();
+  for (std::size_t first = 0; first < stages.size(); first += depth) {
+    const auto together = stages.subspan(first, std::min(depth, stages.size() - first));
+    if (shares && together.size() > 1)
+      pass_between_cuts(together, first, drive, observer);
+    else
+      pass_together(together, first, with_inflow, drive, observer);
+  }
+}
+
+void FieldOperator::finish_stage(const ChainedStage& link, std::size_t number, std::size_t first,
+                                 std::size_t last, std::span<const double> drive,
+                                 ChainObserver* observer) const {
+  add_inputs(link.t, link.stage, first, last, link.out);
+  if (!drive.empty())
+    for (std::size_t i = first; i < last; ++i) link.out[i] += link.stage.d * drive[i];
+  if (observer) observer->entries_done(number, first, last);
+}
+
+void FieldOperator::pass_between_cuts(std::span<ChainedStage> stages, std::size_t first_stage,
+                                      std::span<const double> drive, ChainObserver* observer) {
+  const auto finish = [&](std::size_t pass, std::size_t first, std::size_t last) {
+    finish_stage(stages[pass], first_stage + pass, first, last, drive, observer);
+  };
+  flanks_->begin(stages, drive);
+  const auto work = [&](std::size_t pass, std::size_t first, std::size_t last) {
+    const auto inner = flanks_->inner_slices(pass);
+    first = std::max(first, inner.first);
+    last = std::min(last, inner.second);
+    if (first >= last) return;
+    fused_sweep(rate_, stages[pass].stage, first, last, stages[pass].out);
+    finish(pass, first * SlicedRows::lanes, std::min(last * SlicedRows::lanes, size()));
+  };
+  skewed_passes(chain_blocks(), stages.size(), work, [](std::size_t, std::size_t, std::size_t) {});
+  flanks_->end();
+  for (std::size_t pass = 0; pass < stages.size(); ++pass)
+    flanks_->step(stages, pass, drive,
+                  [&](std::size_t first, std::size_t last) { finish(pass, first, last); });
 }
 
 void FieldOperator::pass_together(std::span<ChainedStage> stages, std::size_t first_stage, bool with_inflow,
@@ -42,11 +130,7 @@ void FieldOperator::pass_together(std::span<ChainedStage> stages, std::size_t fi
   std::vector<RowInflow> inflow(with_inflow ? stages.size() : 0);
   (void)ghost_values(stages.front().t);
   const auto finish = [&](std::size_t pass, std::size_t first, std::size_t last) {
-    const auto& [t, stage, out, unused] = stages[pass];
-    add_inputs(t, stage, first, last, out);
-    if (!drive.empty())
-      for (std::size_t i = first; i < last; ++i) out[i] += stage.d * drive[i];
-    if (observer) observer->entries_done(first_stage + pass, first, last);
+    finish_stage(stages[pass], first_stage + pass, first, last, drive, observer);
   };
   const auto work = [&](std::size_t pass, std::size_t first, std::size_t last) {
     fused_sweep(rate_, stages[pass].stage, first, last, stages[pass].out);

@@ -92,6 +92,7 @@ void FieldOperator::set_conductances(std::span<const double> edges, std::span<co
   } else {
     rate_.set_values(network_.row_begin, rate);
   }
+  forget_flanks();
   ghosts_.clear();
   for (const auto& edge : network_.ghost_edges)
     ghosts_.push_back({edge.row, edge.ghost, edge.conductance / network_.capacity[at(edge.row)]});
@@ -105,6 +106,7 @@ void FieldOperator::forget_pattern() {
 
 void FieldOperator::set_ghost_conductances(std::span<const std::int32_t> edges,
                                            std::span<const double> conductance) {
+  forget_flanks();
   for (const auto e : edges) {
     auto& edge = network_.ghost_edges[at(e)];
     edge.conductance = conductance[at(e)];

@@ -40,6 +40,9 @@ auto only_here(Add add) {
   };
 }
 
+class Flanks;
+struct NetworkPart;
+
 class FieldOperator {
  public:
   ///   keep_network  false: its rows are given back, of which sweeps have rates of their own, and no new
@@ -68,6 +71,8 @@ class FieldOperator {
   void assume_cache(std::size_t bytes) noexcept { cache_bytes_ = bytes; }
   /// Stages that pass over the network together.
   [[nodiscard]] std::size_t chain_depth() const noexcept;
+  /// Stages that share a halo, as of the first chain; 1 where each has its own.
+  [[nodiscard]] std::size_t stages_of_a_halo() const noexcept;
   /// out = stage with f = conduction alone, fixed values taken as 0: J y1 without radiation. One sweep.
   void conduction_stage(const Stage& stage, double* out) const;
   /// Values of the ghosts at t [g].
@@ -127,6 +132,11 @@ class FieldOperator {
   /// With what sources supply.
   [[nodiscard]] double total_inflow(double t, RowInflow& sum) const;
 
+  friend class Flanks;
+  /// Calls each(row, column, K/C) for every rate; columns from size() on are of the halo.
+  template <class Each>
+  void for_rates(const Each& each) const;
+  [[nodiscard]] NetworkPart rates_of_rows(std::size_t first, std::size_t last) const;
   /// The conduction of a Jacobian, from the rates alone.
   template <class Add>
   void add_rates(Add& add) const;
@@ -140,12 +150,31 @@ class FieldOperator {
   void forget_pattern();
   void find_facts();
   [[nodiscard]] SkewedBlocks chain_blocks() const noexcept;
+  /// What the whole of a chain's data takes [bytes].
+  [[nodiscard]] std::size_t chain_bytes() const noexcept;
+  [[nodiscard]] std::size_t depth_in_cache() const noexcept;
+  /// What else is to be done to rows of a stage that has been swept.
+  void finish_stage(const ChainedStage& link, std::size_t number, std::size_t first, std::size_t last,
+                    std::span<const double> drive, ChainObserver* observer) const;
   void pass_together(std::span<ChainedStage> stages, std::size_t first_stage, bool with_inflow,
                      std::span<const double> drive, ChainObserver* observer);
+  /// Rates are no longer those that they were made from.
+  void forget_flanks() noexcept {
+    flanks_.reset();
+    flanks_are_known_ = false;
+  }
+  [[nodiscard]] std::size_t best_depth(std::size_t reach, std::size_t cuts) const noexcept;
+  /// Collective: whether stages may share a halo, and how many.
+  void find_flanks();
+  /// The same where processes share the network and all stages one halo.
+  void pass_between_cuts(std::span<ChainedStage> stages, std::size_t first_stage,
+                         std::span<const double> drive, ChainObserver* observer);
 
   Network network_;
   std::unique_ptr<BoundaryRows> boundary_;  ///< null: all rows are here
-  SlicedRows rate_;                         ///< K_ij/C_i [1/s], without the boundary's
+  std::shared_ptr<Flanks> flanks_;          ///< null: every stage has a halo of its own
+  bool flanks_are_known_ = false;
+  SlicedRows rate_;  ///< K_ij/C_i [1/s], without the boundary's
   std::vector<GhostRate> ghosts_;
   std::vector<double> ghost_value_;  ///< [g] at `ghost_time_`
   TabledInputs inputs_;
@@ -182,17 +211,20 @@ void FieldOperator::sweep_all(const Stage& stage, double* out, const Finish& fin
   });
 }
 
+template <class Each>
+void FieldOperator::for_rates(const Each& each) const {
+  for (std::size_t i = 0; i < size(); ++i)
+    rate_.for_row(i, [&](std::int32_t column, double rate) { each(i, at(column), rate); });
+  if (boundary_) boundary_->for_entries(size(), each);
+}
+
 template <class Add>
 void FieldOperator::add_rates(Add& add) const {
   std::vector<double> diagonal(size(), 0.0);
-  const auto enter = [&](std::size_t row, std::int32_t column, double rate) {
+  for_rates([&](std::size_t row, std::size_t column, double rate) {
     diagonal[row] -= rate;
-    const auto there = static_cast<std::size_t>(column);
-    add(row, column >= 0 && there < size() ? there : column_elsewhere, rate);
-  };
-  for (std::size_t i = 0; i < size(); ++i)
-    rate_.for_row(i, [&](std::int32_t column, double rate) { enter(i, column, rate); });
-  if (boundary_) boundary_->for_entries(size(), enter);
+    add(row, column < size() ? column : column_elsewhere, rate);
+  });
   for (std::size_t i = 0; i < size(); ++i) add(i, i, diagonal[i]);
 }
 
