@@ -34,6 +34,7 @@ class ExponentialRosenbrock final : public OneStepMethod {
     norm_.prepare(rhs, task.allowed);
     rounding_ = task.rounding;
     run_length_ = task.t_end - task.t_begin;
+    cut_short_ = false;
     jacobian_.prepare(rhs, task);
     const std::size_t n = std::max<std::size_t>(1, rhs.size());
     const std::size_t most = std::clamp(basis_bytes / (sizeof(double) * n), fewest_of_a_step, most_of_a_step);
@@ -51,9 +52,10 @@ class ExponentialRosenbrock final : public OneStepMethod {
   /// Fitted to random scenes of every class: what is delivered is then as many times rtol at 1e-3 as at 1e-7.
   [[nodiscard]] double share() const override { return 0.3 * std::pow(rtol_ / 1e-5, 0.1); }
   [[nodiscard]] std::span<const double> slope() const override { return slope_; }
-  /// Knots make many short steps, and what their spaces are wrong by adds up.
+  /// Knots make many short steps, and so do spaces that reach no further: what they are wrong by adds up.
   [[nodiscard]] double part_of_run(double h) const {
-    return rhs_->traits().autonomous ? 1.0 : std::clamp(10 * h / run_length_, 0.03, 1.0);
+    if (rhs_->traits().autonomous && !cut_short_) return 1.0;
+    return std::clamp(10 * h / run_length_, cut_short_ ? 1e-3 : 0.03, 1.0);
   }
   void restart(double t, std::span<const double> y, bool /*smooth*/) override { begin_at(t, y); }
   void accept(const Step& step, std::span<const double> state) override { begin_at(step.ends.back(), state); }
@@ -76,7 +78,7 @@ class ExponentialRosenbrock final : public OneStepMethod {
   void linearise(const Step& step, const StateVector& y);
   /// D at the stage in stage_.
   void difference_at(double t, double s, const StateVector& y, StateVector& out);
-  [[nodiscard]] Trial too_many(KrylovSpace& space, double h, int k, double allowed) const;
+  [[nodiscard]] Trial too_many(KrylovSpace& space, double h, int k, double allowed);
 
   double rtol_, fixed_step_;
   Rhs* rhs_ = nullptr;
@@ -85,6 +87,7 @@ class ExponentialRosenbrock final : public OneStepMethod {
   ScaledJacobian jacobian_;
   KrylovSpace of_slope_, of_drift_, of_first_, of_second_;
   bool linearised_ = false;
+  bool cut_short_ = false;     ///< a step, by what a space may hold
   StateVector slope_, drift_;  ///< f and v at the step's start
   StateVector difference_, linear_, stage_;
   StateVector first_, second_;  ///< D at the middle and at the end
@@ -119,7 +122,8 @@ void ExponentialRosenbrock::difference_at(double t, double s, const StateVector&
                  [&](std::size_t i) { out[i] -= slope_[i] + inverse[i] * linear_[i] + drifted * drift_[i]; });
 }
 
-Trial ExponentialRosenbrock::too_many(KrylovSpace& space, double h, int k, double allowed) const {
+Trial ExponentialRosenbrock::too_many(KrylovSpace& space, double h, int k, double allowed) {
+  cut_short_ = true;
   return {.solved = false,
           .factor = fixed_step_ > 0 ? 0 : space.longest(h, k, allowed) / h,
           .reason = fmt::format("a Krylov space does not reach the tolerance with a step of {:.3g} s; take a "

@@ -19,6 +19,7 @@
 #include "bench/output/vtk_series.hpp"
 #include "core/error.hpp"
 #include "core/text/quantity.hpp"
+#include "core/text/text_file.hpp"
 #include "integrators/method_spec.hpp"
 
 namespace superstep {
@@ -134,6 +135,14 @@ Command from_line(const Arguments& values) {
   return command;
 }
 
+/// Documents as one, a list.
+std::string json_list(const std::vector<std::string>& documents) {
+  std::string out = "[";
+  for (const auto& document : documents)
+    out += fmt::format("{}\n{}", out == "[" ? "" : ",", trimmed(document));
+  return out + "\n]\n";
+}
+
 int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   if (command.checkpoint || !command.restart.empty() || !command.export_packing.empty())
     throw UsageError(
@@ -151,6 +160,7 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   Progress progress(!quiet && stderr_is_terminal());
   const ProbeSet probes(scene);
   bool all_ok = true;
+  std::vector<std::string> documents;  // as run.json has them
   for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
     std::optional<VtkSeries> vtk;
     begin_run_files(folders[k]);
@@ -167,11 +177,12 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
     if (vtk) record.files = vtk->finish();
     const std::string json = write_run_files(folders[k], scene, probes, run.result, run.final_state, record);
     if (command.common.json)
-      print_data(json);
+      documents.push_back(json);
     else if (!quiet || !run.result.outcome.ok())
       print_data(summary(scene, specs[k], run.result, run.check, folders[k]));
     all_ok = all_ok && run.result.outcome.ok();
   }
+  if (command.common.json) print_data(specs.size() == 1 ? documents.front() : json_list(documents));
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
 }

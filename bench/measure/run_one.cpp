@@ -62,12 +62,13 @@ class Watch {
   Watchdog dog_;  // last: its thread looks at what stands above
 };
 
-Plan plan_of(const Scene& scene, const RunRequest& request, Watch& watch) {
+Plan plan_of(const Scene& scene, const MethodSpec& spec, const RunRequest& request, Watch& watch) {
   Plan plan = scene_plan(scene);
   plan.stop = watch.flag();
   plan.most_sweeps = request.limits.sweeps;
   plan.reached = watch.reached();
-  plan.spans = request.spans;
+  // A method without a tolerance steps as it does alone, where nobody looks for spans on its behalf.
+  if (spec.rtol() > 0) plan.spans = request.spans;
   plan.track_inflow = request.track_inflow;
   return plan;
 }
@@ -134,7 +135,7 @@ RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& 
   auto method = std::make_unique<Integrator>(spec.make());
   RunResult result;
   Watch watch(scene, spec, request);
-  Plan plan = plan_of(scene, request, watch);
+  Plan plan = plan_of(scene, spec, request, watch);
   const auto stepping_begins = [&] { watch.stepping_begins(); };
   Outcome outcome;
   if (world().alone()) {

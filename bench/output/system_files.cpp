@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "bench/output/output_folder.hpp"
+#include "case/checks/field_at_state.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "network/files/matrix_market.hpp"
+#include "rhs/nonlinear_rhs.hpp"
 
 namespace superstep {
 namespace {
@@ -36,8 +38,7 @@ void join(System& system, std::size_t i, std::size_t j, double conductance) {
 void add_surroundings(const Graph& graph, System& system) {
   std::map<double, std::size_t> row_of;
   for (const auto& exchange : graph.convection) {
-    const double ambient =
-        exchange.table < 0 ? exchange.ambient : graph.tables[static_cast<std::size_t>(exchange.table)].at(0);
+    const double ambient = exchange.ambient;
     const auto [entry, is_new] = row_of.try_emplace(ambient, system.name.size());
     if (is_new) {
       system.name.push_back("surroundings");
@@ -50,8 +51,16 @@ void add_surroundings(const Graph& graph, System& system) {
   }
 }
 
+/// Heat of a current that is not one of the sources: it follows a potential that is stepped, or solved for
+/// again.
+bool is_heated_by_moving_current(const Scene& scene, const FieldScene& field) {
+  const auto* coupled = dynamic_cast<const NonlinearRhs*>(scene.rhs.get());
+  return field.name == "temperature" && coupled && coupled->heats();
+}
+
 System system_of(const Scene& scene, const FieldScene& field) {
-  const Graph& graph = field.graph;
+  const FieldAtState start = field_at_start(scene, field);
+  const Graph& graph = start.graph;
   if (!graph.radiation.empty())
     throw InputError(fmt::format(
         "{}: radiation is not linear, so that there is no matrix to write; leave it out", scene.file));
@@ -62,19 +71,20 @@ System system_of(const Scene& scene, const FieldScene& field) {
   system.diagonal.assign(graph.nodes(), 0.0);
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
     system.name.push_back(std::to_string(graph.id[node]));
-    if (graph.is_fixed[node]) system.fixed.push_back({node, graph.fixed_at(node, 0)});
+    if (graph.is_fixed[node]) system.fixed.push_back({node, graph.fixed_value[node]});
   }
-  for (const auto& source : graph.tabled_sources)
-    system.source[static_cast<std::size_t>(source.node)] +=
-        graph.tables[static_cast<std::size_t>(source.table)].at(0);
   for (std::size_t k = 0; k < graph.edges(); ++k)
     join(system, static_cast<std::size_t>(graph.i[k]), static_cast<std::size_t>(graph.j[k]),
          graph.conductance[k]);
   add_surroundings(graph, system);
-  if (!graph.tables.empty()) system.remarks.push_back("inputs that change in time are those at t = 0");
-  const auto& laws = field.laws.of_material;
-  if (std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.varies(); }))
-    system.remarks.push_back("conductivities are those at their reference");
+  if (!field.graph.tables.empty()) system.remarks.push_back("inputs that change in time are those at t = 0");
+  if (!start.temperatures.empty())
+    system.remarks.push_back("conductivities are those of the start, at " + start.temperatures);
+  if (field.steady)
+    system.remarks.push_back(
+        "the case's potential is steady, that of this system's case moves there with capacities of 1 F");
+  if (is_heated_by_moving_current(scene, field))
+    system.remarks.push_back("the heat of the current is left out, since it follows the potential");
   if (!field.algebraic.empty()) system.remarks.push_back("nodes of capacity 0 are eliminated");
   return system;
 }

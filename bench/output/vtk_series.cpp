@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "case/checks/field_at_state.hpp"
 #include "core/error.hpp"
 
 namespace superstep {
@@ -62,8 +63,9 @@ VtkPolyData VtkSeries::contacts(double t, std::span<const double> state) const {
     const FieldScene& field = scene_.fields[f];
     if (field.graph.i != pairs.i || field.graph.j != pairs.j)
       throw std::logic_error("the edges of field '" + field.name + "' are not the contacts of the packing");
-    data.cell_data.push_back({"conductance_" + field.name, field.graph.conductance});
-    data.cell_data.push_back({"flux_" + field.name, flux(field.graph, scene_.values_on_nodes(f, t, state))});
+    const Graph now = field_at(scene_, field, t, state).graph;
+    data.cell_data.push_back({"flux_" + field.name, flux(now, scene_.values_on_nodes(f, t, state))});
+    data.cell_data.push_back({"conductance_" + field.name, now.conductance});
   }
   if (data.lines.empty()) data.cell_data.clear();  // loose particles: vertices without values
   return data;

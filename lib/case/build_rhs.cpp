@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "case/checks/field_at_state.hpp"
 #include "case/checks/skips.hpp"
 #include "case/roles.hpp"
 #include "core/error.hpp"
@@ -17,10 +18,12 @@
 namespace superstep {
 namespace {
 
-FieldScene* find_field(Scene& scene, const char* name) {
-  for (auto& field : scene.fields)
-    if (field.name == name) return &field;
-  return nullptr;
+/// Null where there is none.
+template <class SceneOrConst>
+auto* find_field(SceneOrConst& scene, const char* name) {
+  const auto found = std::find_if(scene.fields.begin(), scene.fields.end(),
+                                  [&](const FieldScene& field) { return field.name == name; });
+  return found == scene.fields.end() ? nullptr : &*found;
 }
 
 bool varies(const FieldScene& field) {
@@ -33,6 +36,7 @@ std::vector<char> apply_roles(RoleReport report, FieldScene& field) {
   field.components = report.components;
   field.idle_clusters = report.idle_clusters;
   field.floating_clusters = report.floating;
+  field.adrift_clusters = report.adrift;
   return std::move(report.live);
 }
 
@@ -91,10 +95,23 @@ Network network_of(const FieldScene& field) {
   return build_network_in_order(field.graph, field.roles, field.origin, order);
 }
 
-FieldInput field_input(const FieldScene& field, Network network) {
+/// Of the particles alone, at the temperatures that the scene starts from.
+double pair_step(const Scene& scene, const FieldScene& field) {
+  const auto bare = field.bare_conductance();
+  const FieldScene* thermal = find_field(scene, "temperature");
+  if (!varies(field) || !thermal) return min_pair_step(field.graph, field.roles, bare);
+  const Graph& graph = thermal->graph;
+  std::vector<double> conductance(bare.begin(), bare.end()), temperature = graph.initial;
+  for (std::size_t node = 0; node < temperature.size(); ++node)
+    if (graph.is_fixed[node]) temperature[node] = graph.fixed_at(node, 0);
+  scale_conductances(field, temperature, conductance);
+  return min_pair_step(field.graph, field.roles, conductance);
+}
+
+FieldInput field_input(const Scene& scene, const FieldScene& field, Network network) {
   FieldInput input;
   input.network = std::move(network);
-  input.pair_step = min_pair_step(field.graph, field.roles, field.bare_conductance());
+  input.pair_step = pair_step(scene, field);
   input.known = known_values(field);
   input.laws = field.laws;
   input.id = field.graph.id;
@@ -119,10 +136,10 @@ void mark_tables_apart(NonlinearInput& input) {
     field->network.tabled_apart = has_tables_apart(*field);
 }
 
-FieldInput take_field(FieldScene& field) {
+FieldInput take_field(const Scene& scene, FieldScene& field) {
   Network network = network_of(field);
   field.row_of_node = network.row_of_node;
-  return field_input(field, std::move(network));
+  return field_input(scene, field, std::move(network));
 }
 
 void append_initial(const FieldScene& field, const Network& network, Scene& scene) {
@@ -136,7 +153,7 @@ void build_single(const std::string& where, FieldScene& field, Scene& scene) {
   field.view = 0;
   if (varies(field)) {
     NonlinearInput input;
-    input.temperature = take_field(field);
+    input.temperature = take_field(scene, field);
     append_initial(field, input.temperature.network, scene);
     scene.rhs = std::make_unique<NonlinearRhs>(std::move(input));
     return;
@@ -145,8 +162,8 @@ void build_single(const std::string& where, FieldScene& field, Scene& scene) {
   Network network = network_of(field);
   field.row_of_node = network.row_of_node;
   append_initial(field, network, scene);
-  const double pair_step = min_pair_step(field.graph, field.roles, field.bare_conductance());
-  scene.rhs = std::make_unique<NetworkRhs>(std::move(network), field.name, field.unit, pair_step);
+  scene.rhs =
+      std::make_unique<NetworkRhs>(std::move(network), field.name, field.unit, pair_step(scene, field));
 }
 
 /// A steady potential that nothing moves heats like a constant source: one solve, and it is done with.
@@ -165,7 +182,7 @@ void add_constant_joule_heat(const FieldScene& electric, const std::vector<doubl
 
 /// Solves for a potential that nothing moves.
 void solve_once(FieldScene& electric, Scene& scene) {
-  const FieldInput input = take_field(electric);
+  const FieldInput input = take_field(scene, electric);
   const auto rows = steady_state(input.network);
   scene.steady_potential.assign(electric.graph.nodes(), 0.0);
   for (const auto& known : input.known) scene.steady_potential[at(known.node)] = known.value;
@@ -190,8 +207,8 @@ void build_pair(const std::string& where, const Coupling& coupling, FieldScene& 
   set_range(scene.t_end, thermal);
   if (!varies(electric) && !varies(thermal)) set_origin(thermal);
   NonlinearInput input;
-  input.temperature = take_field(thermal);
-  input.potential = take_field(electric);
+  input.temperature = take_field(scene, thermal);
+  input.potential = take_field(scene, electric);
   mark_tables_apart(input);
   input.steady_potential = electric.steady;
   input.resolve_change = coupling.resolve_change;
@@ -215,9 +232,8 @@ void build_steady(const std::string& where, FieldScene& electric, Scene& scene) 
   solve_once(electric, scene);
   Network nothing;
   nothing.row_begin.assign(1, 0);
-  scene.rhs = std::make_unique<NetworkRhs>(
-      std::move(nothing), electric.name, electric.unit,
-      min_pair_step(electric.graph, electric.roles, electric.bare_conductance()));
+  scene.rhs = std::make_unique<NetworkRhs>(std::move(nothing), electric.name, electric.unit,
+                                           pair_step(scene, electric));
 }
 
 void list_field_skips(const FieldScene& field, bool only, Scene& scene) {
@@ -272,7 +288,7 @@ NonlinearInput nonlinear_input(const Scene& scene) {
   NonlinearInput input;
   for (const auto& field : scene.fields) {
     if (field.view < 0) continue;
-    FieldInput one = field_input(field, network_of(field));
+    FieldInput one = field_input(scene, field, network_of(field));
     if (field.name == "potential") {
       input.potential = std::move(one);
       if (dynamic_cast<const NonlinearRhs&>(*scene.rhs).heats()) input.joule = &field.graph;

@@ -151,8 +151,9 @@ FieldMaterials Materials::field(const std::string& key, TomlTable& field_table,
   for (const auto& one : interfaces_) {
     const auto a = position(one.between.first), b = position(one.between.second);
     const auto materials = static_cast<std::int32_t>(used_.size());
-    if (one.key == key && a < materials && b < materials)
-      out.between.push_back({{std::min(a, b), std::max(a, b)}, one.interface});
+    if (one.key != key || a >= materials || b >= materials) continue;
+    out.between.push_back({{std::min(a, b), std::max(a, b)}, one.interface});
+    out.place = one.place;
   }
   return out;
 }

@@ -24,7 +24,8 @@ struct FieldMaterials {
   std::vector<Conduction> of_material;  ///< [materials]
   Interface grain_boundary;             ///< between equal and unnamed pairs
   std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, Interface>>
-      between;  ///< overrides, lower index first
+      between;        ///< overrides, lower index first
+  std::string place;  ///< of one of these, file and line
 
   [[nodiscard]] Interface interface(std::int32_t a, std::int32_t b) const;
 };

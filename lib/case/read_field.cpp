@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "case/checks/warnings.hpp"
@@ -10,6 +11,7 @@
 #include "case/inputs/read_inputs.hpp"
 #include "contact/conductance.hpp"
 #include "core/error.hpp"
+#include "core/index.hpp"
 #include "core/memory.hpp"
 
 namespace superstep {
@@ -53,6 +55,36 @@ void set_conductances(const PackingInput& input, const FieldMaterials& field, Fi
   if (scene.bare == graph.conductance) free_list(scene.bare);  // nothing lies between particles
 }
 
+/// Who gives absolute temperatures around a packing means some for its start, too.
+void warn_of_cold_start(FieldScene& scene) {
+  constexpr double far = 100;  // K
+  const Graph& graph = scene.graph;
+  double furthest = 0;
+  const auto take = [&](double value) {
+    if (std::abs(value) > std::abs(furthest)) furthest = value;
+  };
+  for (std::size_t node = 0; node < graph.nodes(); ++node)
+    if (graph.is_fixed[node]) take(graph.fixed_at(node, 0));
+  for (const auto* exchanges : {&graph.convection, &graph.radiation})
+    for (const auto& exchange : *exchanges)
+      take(exchange.table < 0 ? exchange.ambient : graph.tables[at(exchange.table)].at(0));
+  if (std::abs(furthest) > far)
+    scene.warnings.push_back(fmt::format(
+        "[thermal] initial is left out, so that the run begins at 0 K, and something is held at {:g} K, or "
+        "surrounded by it; give initial",
+        furthest));
+}
+
+/// A pipe leads from centre to centre, and has no halves that a layer could lie between.
+void refuse_layers(TomlTable& table, const FieldMaterials& field) {
+  constexpr const char* why =
+      "a layer lies in series between two halves, and [contact] conductance is \"pipe\", which has none; "
+      "leave "
+      "the layer out, or take conductance = \"series\"";
+  if (const auto layer = table.find("grain_boundary")) layer->reject(why);
+  if (!field.between.empty()) throw InputError(fmt::format("{}: {}", field.place, why));
+}
+
 }  // namespace
 
 const FieldKind& thermal_kind() {
@@ -74,6 +106,7 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   scene.steady = steady;
   scene.in_order = packing.in_order;
   const FieldMaterials field = materials.field(kind.table, table, steady ? "" : kind.capacity_key);
+  if (input.pipe) refuse_layers(table, field);
   scene.warnings = material_warnings(kind, field, materials);
   scene.laws.material = packing.material;
   scene.laws.mean = input.pipe ? ConductanceMean::arithmetic : ConductanceMean::harmonic;
@@ -86,7 +119,9 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   graph.is_fixed.assign(packing.size(), 0);
   set_capacities(packing, materials, field, graph);
   set_conductances(input, field, scene);
-  read_inputs(table, input, kind.name == thermal_kind().name, graph);
+  const bool thermal = kind.name == thermal_kind().name;
+  read_inputs(table, input, thermal, graph);
+  if (thermal && !table.find("initial")) warn_of_cold_start(scene);
   return scene;
 }
 

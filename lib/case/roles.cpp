@@ -13,7 +13,7 @@ namespace {
 
 struct ComponentFacts {
   bool seen = false, uniform = true, acted_on = false, sourced = false;
-  bool has_fixed = false, has_free = false, fixed_differ = false, follows_table = false;
+  bool has_fixed = false, has_free = false, exchanges = false, fixed_differ = false, follows_table = false;
   double value = 0, fixed_value = 0;
   [[nodiscard]] bool idle() const noexcept { return uniform && !acted_on && !sourced && has_free; }
 };
@@ -71,6 +71,7 @@ std::vector<ComponentFacts> examine(const Graph& graph, const Components& compon
   for (const auto* exchanges : {&graph.convection, &graph.radiation})
     for (const auto& exchange : *exchanges) {
       auto& fact = fact_of(exchange.node);
+      fact.exchanges = true;
       if (exchange.table >= 0 || exchange.ambient != fact.value) fact.acted_on = true;
     }
   for (std::size_t node = 0; node < acted_on.size(); ++node)
@@ -90,10 +91,12 @@ RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<
   RoleReport report;
   report.components = components.count;
   for (const auto& fact : facts) {
-    if (something_moves && fact.idle())
+    if (something_moves && fact.idle()) {
       ++report.idle_clusters;
-    else if (fact.has_free && !fact.has_fixed)
+    } else if (fact.has_free && !fact.has_fixed) {
       ++report.floating;
+      if (!fact.exchanges) ++report.adrift;
+    }
   }
   report.roles.resize(graph.nodes());
   report.live.resize(graph.nodes());

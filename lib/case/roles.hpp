@@ -17,6 +17,7 @@ struct RoleReport {
   std::size_t components = 0;  ///< of the graph as stated, before nodes of capacity 0 were eliminated
   std::size_t idle_clusters = 0;  ///< components in which nothing can change
   std::size_t floating = 0;       ///< components without a fixed node that are integrated
+  std::size_t adrift = 0;         ///< those of them that exchange nothing with an ambient
 };
 
 struct NothingFree : InputError {

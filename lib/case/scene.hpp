@@ -65,6 +65,7 @@ struct FieldScene {
   std::size_t components = 0;             ///< connected components of the graph as stated
   std::size_t idle_clusters = 0;          ///< components in which nothing can change
   std::size_t floating_clusters = 0;      ///< components without a fixed node that are integrated
+  std::size_t adrift_clusters = 0;        ///< those of them that exchange nothing with an ambient
   std::vector<std::string> warnings;      ///< about its materials
   std::vector<AlgebraicNode> algebraic;   ///< nodes of capacity 0, which are no part of the state
   double low = 0, high = 0;               ///< range of initial and fixed values

@@ -90,6 +90,9 @@ void write_network(Text& text, const FieldHealth& field) {
   else
     text.row("effective conductivity", "none: {}", field.effective_note);
   if (!field.effective_basis.empty()) text.row("", "{}", field.effective_basis);
+  if (field.effective_periodic)
+    text.row("under a mean gradient", "{:.4g} {} over the periodic cell", *field.effective_periodic,
+             field.name == "temperature" ? "W/(m K)" : "S/m");
   if (!field.electrodes) return;
   const auto& electrodes = *field.electrodes;
   text.row("electrodes", "{:.4g} V, {:.6g} A in, {:.6g} A out", electrodes.voltage, electrodes.current_in,
@@ -197,6 +200,7 @@ nlohmann::json field_json(const FieldHealth& field) {
       {"conductance", {{"min", field.conductance_min}, {"max", field.conductance_max}}},
       {"lumping_median", optional_number(field.lumping_median)},
       {"effective_conductivity", optional_number(field.effective_conductivity)},
+      {"effective_conductivity_periodic", optional_number(field.effective_periodic)},
       {"effective_length_m", positive_or_null(field.effective_length)},
       {"effective_cross_section_m2", positive_or_null(field.effective_area)},
       {"electrodes", field.electrodes ? electrodes_json(*field.electrodes) : nlohmann::json(nullptr)}};
@@ -228,7 +232,11 @@ std::string health_text(const Scene& scene, const NetworkHealth& health) {
 }
 
 std::string health_json(const Scene& scene, const NetworkHealth& health) {
-  nlohmann::json json = {{"schema", 1}, {"case", scene.name}, {"title", scene.title}, {"t_end", scene.t_end}};
+  nlohmann::json json = {{"schema", "superstep.health"},
+                         {"schema_version", 1},
+                         {"case", scene.name},
+                         {"title", scene.title},
+                         {"t_end", scene.t_end}};
   if (health.packing) {
     const auto& packing = *health.packing;
     json["packing"] = {

@@ -210,6 +210,8 @@ class TimeStepping final : public Run {
       check(KSPSetTolerances(ksp, setup_.residual, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT),
             "KSPSetTolerances");
       check(PCSetType(pc, cg ? PCICC : PCILU), "PCSetType");
+      // What it stops at is the residual itself: an incomplete factor hides changes that all values share.
+      if (!cg) check(KSPSetPCSide(ksp, PC_RIGHT), "KSPSetPCSide");
       return;
     }
     const bool cholesky = setup_.solver == Solver::cholesky;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "network/cell_problem.hpp"
 #include "network/components.hpp"
 #include "network/spd_solver.hpp"
 
@@ -126,6 +127,30 @@ bool are_joined(const Graph& graph, double low, double high) {
   return false;
 }
 
+bool is_periodic_along(const Packing& packing, int axis) noexcept {
+  return packing.cell && packing.cell->periodic[static_cast<std::size_t>(axis)];
+}
+
+/// Leaves out the contacts that lead across the side of the cell.
+void cut_across(const Contacts& contacts, int axis, Graph& graph) {
+  for (std::size_t k = 0; k < contacts.image.size(); ++k)
+    if (contacts.image[k][static_cast<std::size_t>(axis)] != 0) graph.conductance[k] = 0;
+}
+
+/// Nothing where a sphere may touch its own image, which the contacts of a scene leave out.
+std::optional<double> under_mean_gradient(const PackingScene& packed, const Graph& graph, int axis) {
+  const auto& packing = packed.packing;
+  const auto k = static_cast<std::size_t>(axis);
+  const double largest = 2 * *std::max_element(packing.radius.begin(), packing.radius.end());
+  for (std::size_t edge = 0; edge < 3; ++edge)
+    if (packing.cell->periodic[edge] && packing.cell->height(edge) < 1.5 * largest) return std::nullopt;
+  try {
+    return periodic_conductivity(packing, packed.contacts, graph.conductance)[k][k];
+  } catch (const NumericalError&) {
+    return std::nullopt;
+  }
+}
+
 std::set<double> fixed_levels(const Graph& graph) {
   std::set<double> levels;
   for (std::size_t node = 0; node < graph.nodes(); ++node)
@@ -175,7 +200,7 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScen
 
 EffectiveConductivity effective_conductivity(const Scene& scene, const FieldAtState& state) {
   EffectiveConductivity out;
-  const auto& graph = state.graph;
+  Graph graph = state.graph;
   const auto levels = fixed_levels(graph);
   if (!scene.packed)
     out.note = "a network without coordinates has no cross-section";
@@ -186,6 +211,13 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldAtSt
   if (!out.note.empty()) return out;
 
   const double low = *levels.begin(), high = *levels.rbegin();
+  const auto& packing = scene.packed->packing;
+  const auto [gap, axis] = facing_gap(packing, graph, high);
+  const bool faces = gap > 0, repeats = faces && is_periodic_along(packing, axis);
+  if (repeats) {
+    out.periodic = under_mean_gradient(*scene.packed, graph, axis);
+    cut_across(scene.packed->contacts, axis, graph);
+  }
   if (!are_joined(graph, low, high)) {
     out.value = 0;
     out.note =
@@ -193,9 +225,7 @@ EffectiveConductivity effective_conductivity(const Scene& scene, const FieldAtSt
         "that nearly touch?";
     return out;
   }
-  const auto& packing = scene.packed->packing;
-  const auto [gap, axis] = facing_gap(packing, graph, high);
-  if (!(gap > 0)) {
+  if (!faces) {
     out.note = "the two fixed layers do not face each other along an axis";
     return out;
   }

@@ -11,12 +11,14 @@ namespace superstep {
 
 struct EffectiveConductivity {
   std::optional<double> value;  ///< W/(m K) or S/m
-  double flow = 0;              ///< W or A, from the higher to the lower value
-  double length = 0;            ///< m, between the facing innermost centres of the two layers
-  double area = 0;              ///< m^2
-  std::string note;             ///< why there is no value, or why it is 0
-  std::string basis;            ///< the length and the cross-section that it is for, in words
-  std::string advice;           ///< to the author of the case, about the cross-section
+  /// The same for a mean gradient over the whole cell, where that is periodic along the axis.
+  std::optional<double> periodic;
+  double flow = 0;     ///< W or A, from the higher to the lower value
+  double length = 0;   ///< m, between the facing innermost centres of the two layers
+  double area = 0;     ///< m^2
+  std::string note;    ///< why there is no value, or why it is 0
+  std::string basis;   ///< the length and the cross-section that it is for, in words
+  std::string advice;  ///< to the author of the case, about the cross-section
 };
 
 /// What a steady current between two electrodes does, at the conductances of one state and with the sources
@@ -36,7 +38,8 @@ struct ElectrodeFacts {
                                                             const FieldAtState& state);
 
 /// k = q L / (A dT) from a steady solve of conduction alone; 0 where no path of contacts joins the two
-/// layers. Needs a packing, exactly two distinct fixed values and no sources.
+/// layers. Contacts across a side of the cell that the flow leads to are left out: they join the layers
+/// directly. Needs a packing, exactly two distinct fixed values and no sources.
 [[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldAtState& state);
 /// The same at the start of the scene.
 [[nodiscard]] EffectiveConductivity effective_conductivity(const Scene& scene, const FieldScene& field);

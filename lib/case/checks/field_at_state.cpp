@@ -39,6 +39,19 @@ bool FieldAtState::has_sources() const noexcept {
   return false;
 }
 
+void scale_conductances(const FieldScene& field, std::span<const double> temperature,
+                        std::span<double> conductance) {
+  const auto& laws = field.laws;
+  with_mean(laws.mean, [&](auto mean) {
+    for (std::size_t k = 0; k < conductance.size(); ++k) {
+      const auto i = field.graph.i[k], j = field.graph.j[k];
+      const auto &own = laws.of_node(i), &other = laws.of_node(j);
+      conductance[k] *= mean.value(own.at(temperature[at(i)]), other.at(temperature[at(j)])) /
+                        mean.value(own.value, other.value);
+    }
+  });
+}
+
 FieldAtState field_at(const Scene& scene, const FieldScene& field, double t, std::span<const double> state) {
   FieldAtState out{.graph = field.graph, .bare = {}, .conductivity = {}, .temperatures = {}};
   freeze_inputs(out.graph, t);
@@ -46,26 +59,17 @@ FieldAtState field_at(const Scene& scene, const FieldScene& field, double t, std
   out.bare.assign(bare.begin(), bare.end());
   const auto& laws = field.laws;
   if (laws.of_material.empty()) return out;
-  std::vector<double> reference(field.graph.nodes());
-  for (std::size_t node = 0; node < reference.size(); ++node)
-    reference[node] = laws.of_node(static_cast<std::int32_t>(node)).value;
-  out.conductivity = reference;
+  for (std::size_t node = 0; node < field.graph.nodes(); ++node)
+    out.conductivity.push_back(laws.of_node(static_cast<std::int32_t>(node)).value);
   const bool varies = std::any_of(laws.of_material.begin(), laws.of_material.end(),
                                   [](const auto& law) { return law.varies(); });
   const auto temperature = varies ? temperatures_of(scene, t, state) : std::vector<double>{};
   if (temperature.empty()) return out;
 
-  for (std::size_t node = 0; node < reference.size(); ++node)
+  for (std::size_t node = 0; node < out.conductivity.size(); ++node)
     out.conductivity[node] = laws.of_node(static_cast<std::int32_t>(node)).at(temperature[node]);
-  with_mean(laws.mean, [&](auto mean) {
-    for (std::size_t k = 0; k < out.graph.edges(); ++k) {
-      const auto i = at(out.graph.i[k]), j = at(out.graph.j[k]);
-      const double change =
-          mean.value(out.conductivity[i], out.conductivity[j]) / mean.value(reference[i], reference[j]);
-      out.graph.conductance[k] *= change;
-      out.bare[k] *= change;
-    }
-  });
+  scale_conductances(field, temperature, out.graph.conductance);
+  scale_conductances(field, temperature, out.bare);
   const auto [coldest, hottest] = std::minmax_element(temperature.begin(), temperature.end());
   out.temperatures = *coldest == *hottest ? fmt::format("{:.6g} K", *coldest)
                                           : fmt::format("{:.6g} to {:.6g} K", *coldest, *hottest);

@@ -21,6 +21,10 @@ struct FieldAtState {
   [[nodiscard]] bool has_sources() const noexcept;
 };
 
+/// Conductances [edges] of a field as its laws make them at the nodes' temperatures, from those of the
+/// reference.
+void scale_conductances(const FieldScene& field, std::span<const double> temperature,
+                        std::span<double> conductance);
 /// The field at (t, state). O(nodes + edges).
 [[nodiscard]] FieldAtState field_at(const Scene& scene, const FieldScene& field, double t,
                                     std::span<const double> state);

@@ -167,6 +167,7 @@ FieldHealth assess_field(const Scene& scene, std::size_t f) {
   if (scene.packed) health.lumping_median = lumping_ratio(scene.packed->packing, state);
   const auto effective = effective_conductivity(scene, state);
   health.effective_conductivity = effective.value;
+  health.effective_periodic = effective.periodic;
   health.effective_note = effective.note;
   health.effective_basis = effective.basis + (effective.advice.empty() ? "" : "; " + effective.advice);
   health.effective_length = effective.length;

@@ -32,6 +32,7 @@ struct FieldHealth {
       lambda_min;  ///< 1/s, shift-invert Lanczos; absent when a cluster floats or the fill is too large
   std::string lambda_min_note;
   std::optional<double> effective_conductivity;     ///< W/(m K) or S/m
+  std::optional<double> effective_periodic;         ///< the same under a mean gradient over the cell
   std::string effective_note;                       ///< why there is none, or why it is 0
   std::string effective_basis;                      ///< its length and cross-section, with advice about them
   double effective_length = 0, effective_area = 0;  ///< m, m2; 0 where `effective_basis` is empty

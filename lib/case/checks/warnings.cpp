@@ -61,9 +61,8 @@ std::vector<std::string> range_warnings(const Scene& scene) {
                       exchanges));
   }
   for (const auto& field : scene.fields)
-    if (field.floating_clusters > 0 && !field.steady && field.graph.convection.empty() &&
-        field.graph.radiation.empty())
-      out.push_back(floating_warning(field.floating_clusters, field.name));
+    if (field.adrift_clusters > 0 && !field.steady)
+      out.push_back(floating_warning(field.adrift_clusters, field.name));
   return out;
 }
 

@@ -191,8 +191,9 @@ void read_contacts(TomlTable& table, const std::string& place, PackingScene& sce
   const auto neck = table.require("neck", "it names the neck law, e.g. \"volume-preserving\"");
   const auto gap = table.find("gap"), bond_radius = table.find("bond_radius"), bonds = table.find("bonds");
   scene.neck = neck.string();
+  const auto hardening = table.find("hardening");
   if (scene.neck == "given") {
-    for (const auto& other : {gap, bond_radius, bonds})
+    for (const auto& other : {gap, bond_radius, bonds, hardening})
       if (other)
         other->reject("with neck = \"given\" the file lists every contact, across any gap; leave this out");
     const auto file = table.require("file", "with neck = \"given\" it names a CSV with i,j,radius");
@@ -201,7 +202,10 @@ void read_contacts(TomlTable& table, const std::string& place, PackingScene& sce
   }
   const NeckLaw& law = read_law(neck);
   NeckParameters parameters;
-  if (const auto hardening = table.find("hardening")) {
+  if (hardening) {
+    const auto& taken = law.parameters;
+    if (std::find(taken.begin(), taken.end(), "hardening") == taken.end())
+      hardening->reject(fmt::format("neck = \"{}\" takes none; leave it out, or take \"plastic\"", law.name));
     parameters.hardening = hardening->number();
     if (!(parameters.hardening >= 0.5 && parameters.hardening <= 1.45))
       hardening->reject("it must lie between 0.5 (linear hardening) and 1.45 (perfectly plastic)");

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <span>
 #include <stdexcept>
@@ -183,7 +184,11 @@ class MpiWorld final : public Communicator {
       if (MPI_Wtime() > end) return false;
     }
   }
+  /// MPI_Abort allocates and talks, and may itself get no further; a process that dies is noticed, too.
   void abort(int exit_code) override {
+    constexpr unsigned patience = 10;  // s
+    std::signal(SIGALRM, SIG_DFL);
+    ::alarm(patience);
     MPI_Abort(MPI_COMM_WORLD, exit_code);
     std::_Exit(exit_code);
   }

@@ -44,9 +44,9 @@ py::list fields(const BoundScene& bound) {
 }
 
 py::tuple edges(const BoundScene& bound, std::size_t field) {
-  const auto& graph = field_of(bound, field).graph;
+  Graph graph = field_at_start(bound.scene(), field_of(bound, field)).graph;
   return py::make_tuple(hand_over(std::vector(graph.i)), hand_over(std::vector(graph.j)),
-                        hand_over(std::vector(graph.conductance)));
+                        hand_over(std::move(graph.conductance)));
 }
 
 py::array_t<double> initial(const BoundScene& bound) {
