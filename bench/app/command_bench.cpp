@@ -241,7 +241,10 @@ CommandEntry bench_command() {
            {"--instructions", &Arguments::instructions,
             "count the instructions of each method's stepping as well, under Valgrind", ""},
            {"--work-precision", &Arguments::work_precision,
-            "sweep every method over tolerances and steps; say who is fastest at each error", ""},
+            "sweep every method over tolerances and steps, or take the SPECs that are given; say who is "
+            "fastest at "
+            "each error",
+            ""},
            {"--corpus", &Arguments::corpus,
             "every method over its ladder on a set of scenes: quick, standard (default), large, or a folder "
             "of cases; what was measured before is not measured again",

@@ -136,8 +136,8 @@ void KeyList::conductivity(const std::string& unit) {
   text("conductivity.outside", "what holds outside the law's range", {"error", "clamp"}).fallback = "error";
 }
 
-void KeyList::boundary(const std::string& name) {
-  table(name, "a layer in series with every contact; left out = none");
+void KeyList::boundary(const std::string& name, const std::string& otherwise) {
+  table(name, "a layer in series with every contact; left out = " + otherwise);
   number(name + ".thickness", positive_number, "m", "of the layer");
   number(name + ".reduction", positive_number, "", "its conductivity over that of the bulk");
 }

@@ -41,7 +41,7 @@ class KeyList {
   /// A number or a law of temperature.
   void conductivity(const std::string& unit);
   /// A layer between two particles.
-  void boundary(const std::string& name);
+  void boundary(const std::string& name, const std::string& otherwise = "none");
 
   [[nodiscard]] std::vector<CaseKey> take() { return std::move(keys_); }
 

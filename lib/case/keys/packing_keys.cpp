@@ -21,7 +21,8 @@ void list_common_keys(KeyList& keys) {
   keys.text("title", "a name for tables and reports").fallback = "name of the file";
   keys.text("source", "where the scene comes from");
   keys.number("t_end", positive_number, "s", "end of the run");
-  keys.numbers("output_times", 0, positive_number, "s", "ascending, none after t_end").fallback = "[t_end]";
+  keys.numbers("output_times", 0, positive_number, "s", "ascending, none after t_end").fallback =
+      "[t_end]; bench: 2, 10 and 100 % of it";
   keys.table("bench", "what `superstep bench` does");
   keys.in("bench", all);
   keys.text("baseline", "SPEC that speedups refer to");
@@ -71,8 +72,9 @@ void list_common_keys(KeyList& keys) {
   for (const auto& generator : network_generators()) generators.push_back(generator.name);
   keys.text("generator", "or a network that is made, the same bits everywhere", generators);
   keys.integer("size", {.min = 8, .max = static_cast<double>(largest_generated_network)},
-               "generator: nodes, or nearly so many");
-  keys.number("contrast", {.min = 1, .max = 1e12}, "", "generator: largest over smallest conductance")
+               "generator: nodes, or what a whole grid has of them");
+  keys.number("contrast", {.min = 1, .max = 1e12}, "",
+              "generator: largest over smallest conductance, roughly")
       .fallback = "1";
   keys.number("spread", {.min = 1, .max = 1e12}, "", "generator: largest over smallest capacity").fallback =
       "1";
@@ -116,7 +118,8 @@ void list_packing_keys(KeyList& keys) {
   keys.text("file", "packing file: CSV, LAMMPS, LIGGGHTS, Yade, MercuryDPM, XYZ, VTK");
   keys.text("generator", "or a container that is filled, or a cubic lattice",
             {"cylinder", "box", "grid", "lattice"});
-  keys.text("length_unit", "of the packing and of selections", {"m", "cm", "mm", "um", "nm"}).fallback = "m";
+  keys.text("length_unit", "of the packing and of selections", {"m", "cm", "mm", "um", "nm"}).fallback =
+      "what the file states, else m";
   keys.text("units", "unit style of the code that wrote the file",
             {"auto", "lj", "real", "metal", "si", "cgs", "electron", "micro", "nano"})
       .fallback = "auto: as the file says";
@@ -189,8 +192,8 @@ void list_packing_keys(KeyList& keys) {
       .may_be_empty = true;
   keys.in("interfaces[]", CaseKey::packing);
   keys.list("between", CaseKey::text, "names of two materials").count = 2;
-  keys.boundary("thermal");
-  keys.boundary("electric");
+  keys.boundary("thermal", "the field's grain_boundary");
+  keys.boundary("electric", "the field's grain_boundary");
 }
 
 }  // namespace superstep
