@@ -20,14 +20,12 @@ bool is_plain(const Press& press) {
 
 /// What the scheme allows at the start [s]; infinite where the particles are still falling.
 double limit_of_bed(const Press& press) {
-  SteppingSettings settings = press.stepping;
-  settings.thermal_integrator.clear();  // temperatures limit no step
   dynamics::State state = press.state;
   state.electric.resize(state.size(), 0.0);
   dynamics::MovingNetwork network(press.model, press.particles);
   network.resume(state, press.model.schedule.at(state.time));
   if (network.contacts().touching() < state.size()) return no_limit;
-  const auto stepper = dynamics::make_stepper(settings, network);
+  const auto stepper = dynamics::make_stepper(press.stepping, network);
   stepper->begin(state);
   return stepper->limit();
 }

@@ -14,14 +14,29 @@ PlainStepper::PlainStepper(const SteppingSettings& settings, MovingNetwork& netw
       network_(network) {
   if (!settings.thermal_integrator.empty()) bridge_.emplace(settings.thermal_integrator);
   const std::size_t n = network.particles().size();
-  for (auto* v : {&force_, &position_, &velocity_}) v->resize(n);
+  for (auto* v : {&force_, &force_end_, &position_, &velocity_}) v->resize(n);
   for (auto* v : {&rate_, &temperature_}) v->resize(n);
 }
 
 void PlainStepper::begin(const State& state) {
-  wall_force_ = network_.forces(state.velocity, state.temperature, force_, PairDetail::whole);
-  if (!bridge_) network_.rates(state.temperature, rate_);
+  if (evaluated_ == network_.instant())
+    std::swap(force_, force_end_);  // the last step ended here
+  else
+    wall_force_end_ = network_.forces(state.velocity, state.temperature, force_, PairDetail::whole);
+  evaluated_ = none;
+  wall_force_ = wall_force_end_;
   limit_ = fraction_ * network_.explicit_limit(state.temperature);
+  if (bridge_) return;
+  network_.rates(state.temperature, rate_);
+  limit_ = std::min(limit_, fraction_ * network_.heat_limit());
+}
+
+/// A step from free flight into a contact begins without a limit: it keeps to that of its end, too. Returns
+/// the factor that a step of h must be shortened by for that.
+double PlainStepper::shortened(double h) {
+  wall_force_end_ = network_.forces(velocity_, temperature_, force_end_, PairDetail::whole);
+  evaluated_ = network_.instant();
+  return std::min(1.0, fraction_ * network_.explicit_limit(temperature_) / h);
 }
 
 Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
@@ -51,6 +66,8 @@ Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
   network_.place(position_, state.temperature, phase, std::min(state.time + h, phase.end), {h, 0});
   if (bridge_) attempt.failure = bridge_->advance(network_, h, temperature_);
   if (!attempt.failure.ok()) return attempt;
+  attempt.factor = shortened(h);
+  if (attempt.factor < 1) return attempt;
   std::swap(state.position, position_);
   std::swap(state.velocity, velocity_);
   std::swap(state.temperature, temperature_);

@@ -10,6 +10,8 @@
 namespace superstep::dynamics {
 namespace {
 
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
 std::optional<ThermalBridge> make_bridge(const std::string& spec) {
   if (spec.empty()) return std::nullopt;
   return ThermalBridge(spec);
@@ -38,9 +40,23 @@ void StaggeredStepper::begin(const State& state) {
   // as if all pushed along one line; in beds the limit lies two to three times higher.
   constexpr double above_bound = 2;
   if (steady()) limit_ = above_bound * network_.explicit_limit(state.temperature);
+  if (leans_back()) limit_ = std::min(steady() ? limit_ : no_limit, stable_limit(state.temperature));
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   position_rounding_ = rounding * reduction_.sum([&](std::size_t i) { return norm(state.position[i]); });
   temperature_rounding_ = rounding * reduction_.sum([&](std::size_t i) { return state.temperature[i]; });
+}
+
+/// With phi < 0.5 a step that converges may still be unstable: heat for (1 - 2 phi) h lambda > 2, motion
+/// where phi adds more energy than damping takes. Half of the one; of the other, with a share d of critical
+/// damping and 2/omega above the explicit limit, h <= 2 d/((1 - 2 phi) omega). Undamped motion gains energy
+/// at any step: a part of critical damping then says how much of it.
+double StaggeredStepper::stable_limit(std::span<const double> temperature) {
+  const double lean = 1 - 2 * settings_.phi;
+  const Model& model = network_.model();
+  constexpr double least = 0.1;
+  const double damping = std::max(least, std::min(model.contact.damping, model.wall.damping));
+  const double motion = std::min(1.0, damping / lean) * network_.explicit_limit(temperature);
+  return bridge_ ? motion : std::min(motion, 0.5 / lean * network_.heat_limit());
 }
 
 void StaggeredStepper::predict(const State& state, double h) {
@@ -162,8 +178,13 @@ Attempt StaggeredStepper::attempt(State& state, const Phase& phase, double h) {
     if (now > 1 && steady() && k >= 3 && now > before) return failed(state, k, factor(k, 1));  // diverges
     if (now > 1) continue;
     Attempt attempt;
-    attempt.converged = true;
     attempt.iterations = k;
+    if (leans_back()) {  // it may have begun in free flight and end in a contact that is too stiff for it
+      (void)network_.forces(velocity_, temperature_, force_, PairDetail::whole);
+      attempt.factor = stable_limit(temperature_) / h;
+      if (attempt.factor < 1) return attempt;
+    }
+    attempt.converged = true;
     // No rate can be told from one iteration: the step was easy and may grow. As far as its bounds allow, it
     // would soon be too long and be made again.
     constexpr double cautious = 1.25;

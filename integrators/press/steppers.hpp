@@ -1,6 +1,7 @@
 #pragma once
 /// The ways to take a step of the moving network.
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -42,6 +43,8 @@ class StaggeredStepper final : public Stepper {
   [[nodiscard]] bool steady() const noexcept {
     return settings_.control == SteppingSettings::Control::steady;
   }
+  [[nodiscard]] bool leans_back() const noexcept { return settings_.phi < 0.5; }
+  [[nodiscard]] double stable_limit(std::span<const double> temperature);
   [[nodiscard]] double factor(int iteration, double unknown) const;
   [[nodiscard]] double shortened() const;
 
@@ -59,7 +62,8 @@ class StaggeredStepper final : public Stepper {
 };
 
 /// Semi-implicit Euler: v = v_L + h F_L/m, then r = r_L + h v; T by forward Euler. One evaluation of the
-/// forces a step, order 1, the step a part of the stability limit of the moment. For comparison.
+/// forces a step, order 1, the step a part of the stability limits, of the motion at both of its ends and of
+/// the temperatures at its begin. For comparison.
 class PlainStepper final : public Stepper {
  public:
   PlainStepper(const SteppingSettings& settings, MovingNetwork& network);
@@ -72,11 +76,15 @@ class PlainStepper final : public Stepper {
   }
 
  private:
+  [[nodiscard]] double shortened(double h);
+
+  static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
   double fraction_, smallest_radius_;
   MovingNetwork& network_;
   std::optional<ThermalBridge> bridge_;
-  double limit_ = 0, wall_force_ = 0;
-  std::vector<Vec3> force_, position_, velocity_;
+  double limit_ = 0, wall_force_ = 0, wall_force_end_ = 0;
+  std::uint64_t evaluated_ = none;  // instant of the network at which force_end_ was taken
+  std::vector<Vec3> force_, force_end_, position_, velocity_;
   std::vector<double> rate_, temperature_;
 };
 

@@ -1,6 +1,7 @@
 #include "dynamics/heat.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/index.hpp"
 #include "core/parallel.hpp"
@@ -51,6 +52,26 @@ void heat_rates(const ThermalLaw& law, const Particles& particles, const Contact
   for_each_entry(rate.size(), [&](std::size_t i) {
     rate[i] = held[i] >= 0 ? 0.0 : rate[i] / heat_capacity(law, particles, i);
   });
+}
+
+double heat_step_limit(const ThermalLaw& law, const Particles& particles, const ContactPoints& contacts,
+                       std::span<const WallContact> walls, Held held, std::vector<double>& conductance) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (!(law.conductivity > 0) && particles.conductivity.empty()) return never;
+  conductance.assign(particles.size(), 0.0);
+  const ContactTable& table = contacts.table();
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const double one = table.conductivity[k] * table.flow[k];
+    conductance[at(table.i[k])] += one;
+    conductance[at(table.j[k])] += one;
+  }
+  if (law.walls_conduct)
+    for (const auto& contact : walls)
+      conductance[at(contact.particle)] += wall_conductance(law, particles, contact);
+  double inverse = 0;
+  for (std::size_t i = 0; i < conductance.size(); ++i)
+    if (held[i] < 0) inverse = std::max(inverse, conductance[i] / heat_capacity(law, particles, i));
+  return inverse > 0 ? 1 / inverse : never;
 }
 
 Network thermal_network(const ThermalLaw& law, const Particles& particles, const Placement& placement,

@@ -35,6 +35,14 @@ void heat_rates(const ThermalLaw& law, const Particles& particles, const Contact
                 std::span<const WallContact> walls, Held held, std::span<const double> joule,
                 std::span<const double> temperature, std::span<double> rate);
 
+/// Longest step of an explicit scheme [s] in which no temperature goes beyond those around it: m C over the
+/// sum of a particle's conductances, the least of all; infinity where nothing conducts. Forward Euler is
+/// stable up to there at least.
+///   conductance [n]  scratch
+[[nodiscard]] double heat_step_limit(const ThermalLaw& law, const Particles& particles,
+                                     const ContactPoints& contacts, std::span<const WallContact> walls,
+                                     Held held, std::vector<double>& conductance);
+
 /// The same equations as a frozen network for any integrator: rows are the particles that are not held, in
 /// their order; ghosts are the six walls. `Network::node_of_row` and `row_of_node` speak of particles.
 [[nodiscard]] Network thermal_network(const ThermalLaw& law, const Particles& particles,

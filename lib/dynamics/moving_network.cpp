@@ -42,6 +42,7 @@ void MovingNetwork::place(std::span<const Vec3> position, std::span<const double
   act_bonds(temperature, step);
   find_wall_contacts(model_.box, phase.wall_height(t), position, particles_.radius, wall_contacts_);
   upper_wall_velocity_ = phase.wall_velocity();
+  ++instant_;
 }
 
 void MovingNetwork::act_bonds(std::span<const double> temperature, StepPart step) {
@@ -77,6 +78,7 @@ void MovingNetwork::touch_walls(State& state, const Phase& phase) {
     if (!electrodes.of(contact.wall) || !(-contact.strain > depth_[i])) continue;
     depth_[i] = -contact.strain;
     held_[i] = contact.wall;
+    ++instant_;
     state.temperature[i] = model_.thermal.wall_temperature[at(contact.wall)];
   }
 }
@@ -84,8 +86,10 @@ void MovingNetwork::touch_walls(State& state, const Phase& phase) {
 void MovingNetwork::settle(State& state, const Phase& phase) {
   {
     const PartTimer timer(times.contacts);
+    const bool bonded = !contacts_.bonds().empty();
     contacts_.update_bonds();
     state.bonds.assign(contacts_.bonds().begin(), contacts_.bonds().end());
+    if (bonded || !state.bonds.empty()) ++instant_;
   }
   {
     const PartTimer timer(times.current);
@@ -104,6 +108,7 @@ void MovingNetwork::settle(State& state, const Phase& phase) {
 }
 
 void MovingNetwork::refresh(State& state, const Phase& phase) {
+  ++instant_;
   act_bonds(state.temperature, {});
   contacts_.begin_step();
   current_.restore(placement(), electrodes_of(phase), state.temperature, state.electric);
@@ -124,6 +129,11 @@ double MovingNetwork::explicit_limit(std::span<const double> temperature) {
   const PartTimer timer(times.forces);
   return explicit_step_limit(model_, particles_, contacts_, pair_forces_, wall_contacts_, temperature,
                              stiffness_, damping_);
+}
+
+double MovingNetwork::heat_limit() {
+  const PartTimer timer(times.heat);
+  return heat_step_limit(model_.thermal, particles_, contacts_, wall_contacts_, held_, conductance_);
 }
 
 }  // namespace superstep::dynamics

@@ -2,6 +2,7 @@
 /// The network while its particles move: contacts, forces, heat and current of one instant.
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -61,6 +62,10 @@ class MovingNetwork {
   [[nodiscard]] Network frozen_network() const;
   /// Longest stable explicit step [s] where the forces were last taken whole.
   [[nodiscard]] double explicit_limit(std::span<const double> temperature);
+  /// Longest step [s] in which explicit temperatures stay between those around them, at the instant placed.
+  [[nodiscard]] double heat_limit();
+  /// Another number whenever what forces depend on, beside the velocities, may have changed.
+  [[nodiscard]] std::uint64_t instant() const noexcept { return instant_; }
 
   PartTimes times;
 
@@ -75,8 +80,9 @@ class MovingNetwork {
   double upper_wall_velocity_ = 0;
   CurrentField current_;
   std::vector<std::int32_t> held_;
-  std::vector<double> depth_, stiffness_, damping_, mobility_;
+  std::vector<double> depth_, stiffness_, damping_, conductance_, mobility_;
   PairForces pair_forces_;
+  std::uint64_t instant_ = 0;
 };
 
 }  // namespace superstep::dynamics

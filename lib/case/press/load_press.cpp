@@ -65,6 +65,17 @@ void read_stepping(TomlTable dynamics, Press& press) {
   }
 }
 
+/// What only the stepping and the laws together tell.
+void warn_of_gain(Press& press) {
+  const SteppingSettings& settings = press.stepping;
+  const bool undamped = !(press.model.contact.damping > 0 && press.model.wall.damping > 0);
+  if (settings.scheme != SteppingSettings::Scheme::staggered || settings.phi >= 0.5 || !undamped) return;
+  press.warnings.push_back(fmt::format(
+      "with phi = {} < 0.5 every contact without damping gives back more energy than it took, at any step; "
+      "take phi = 0.5, or give [dynamics.contact] and [dynamics.wall] a damping",
+      settings.phi));
+}
+
 void read_motion_window(TomlTable& root, Press& press) {
   auto bench = root.table("bench");
   const auto window = bench ? bench->find("motion_window") : std::nullopt;
@@ -145,6 +156,7 @@ Press load_press(TomlTable root, std::optional<std::uint64_t> seed, const dynami
   press.particles = std::move(input.particles);
   press.state = std::move(input.state);
   press.warnings = std::move(input.warnings);
+  warn_of_gain(press);
   return press;
 }
 
