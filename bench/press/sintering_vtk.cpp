@@ -60,8 +60,8 @@ VtkPolyData sintering_contacts(const Press& one, const dynamics::MovingNetwork& 
     add_flow(data, "potential", contacts, state.electric, [&](const dynamics::ContactPoint& contact) {
       const double drop = state.electric[static_cast<std::size_t>(contact.i)] -
                           state.electric[static_cast<std::size_t>(contact.j)];
-      return dynamics::branch_conductance(one.model.electric, one.particles, contact, state.temperature,
-                                          drop);
+      return dynamics::branch_of(one.model.electric, one.particles, contact, state.temperature, drop)
+          .conductance;
     });
   return data;
 }

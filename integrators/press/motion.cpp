@@ -74,6 +74,8 @@ Outcome Motion::take_step(double t_out) {
   const Phase& phase = model_.schedule.at(state_.time);
   // The last phase goes on for ever: its wall stays where the schedule left it.
   const double end = state_.time < phase.end ? std::min(t_out, phase.end) : t_out;
+  const bool flows = model_.electric.model != CurrentModel::none;
+  if (locates_ || flows) before_ = state_;
   const double longest = std::min({settings_.largest_step, stepper_->limit(), travel_limit()});
   for (std::int64_t rejections = 0;; ++rejections) {
     const double remaining = end - state_.time;
@@ -88,7 +90,12 @@ Outcome Motion::take_step(double t_out) {
       const double factor = settings_.bounds.after_success(attempt.factor);
       const double wanted = h * (rejections > 0 ? std::min(factor, 1.0) : factor);
       step_ = std::min(settings_.largest_step, h < step_ * (1 - rounding) ? std::max(step_, wanted) : wanted);
-      accept(phase, h, attempt, rejections, landed);
+      const std::size_t rows = history_.size();
+      try {
+        accept(phase, h, attempt, rejections, landed);
+      } catch (const NumericalError& error) {  // of the current
+        return undone(phase, rows, error.what());
+      }
       return check();
     }
     // A restart begins from the same state, whose current is solved already (Algorithm 1, step 7b).
@@ -97,6 +104,16 @@ Outcome Motion::take_step(double t_out) {
     if (step_ < settings_.smallest_step || state_.time + step_ <= state_.time)
       return collapsed(step_, attempt);
   }
+}
+
+/// Back to where the step began, whose current is known.
+Outcome Motion::undone(const Phase& phase, std::size_t rows, const std::string& why) {
+  history_.resize(rows);
+  state_ = before_;
+  network_.resume(state_, phase);
+  stepper_->begin(state_);
+  powers_ = powers_of(network_, state_.velocity, state_.temperature);
+  return {Status::failed, fmt::format("at t = {:.6g} s: {}", state_.time, why)};
 }
 
 /// Step in which nobody goes too far at the speed of now [s]; what forces add, the steppers watch.
@@ -116,7 +133,6 @@ Attempt Motion::land(const Phase& phase, double& h, bool& landed) {
   constexpr int trials = 8;
   constexpr double close = 1e-5;  // of a step: a jump that is late by that
   if (!locates_ || landings_lately(h) >= few) return stepper_->attempt(state_, phase, h);
-  before_ = state_;
   const double whole = h;
   double beyond = 1e-2 * close * whole;  // behind where it is expected: what is there has happened
   for (int trial = 0;; ++trial) {

@@ -56,7 +56,7 @@ class Motion {
   /// for settings out of range.
   Motion(const Model& model, const Particles& particles, const SteppingSettings& settings);
 
-  /// Starts at `state`: bonds form, electrified walls act.
+  /// Starts at `state`: bonds form, electrified walls act. Throws NumericalError where no current is found.
   void start(State state);
   /// Goes on from a stored state exactly as if it had never been stored.
   ///   next_step [s]  the step size that was to be tried next
@@ -85,6 +85,7 @@ class Motion {
 
  private:
   [[nodiscard]] Outcome take_step(double t_out);
+  [[nodiscard]] Outcome undone(const Phase& phase, std::size_t rows, const std::string& why);
   [[nodiscard]] double travel_limit() const;
   [[nodiscard]] Attempt land(const Phase& phase, double& h, bool& landed);
   [[nodiscard]] std::size_t landings_lately(double h) const;

@@ -23,10 +23,14 @@ struct Electrodes {
   return value_of(particles.electric_conductivity, i, law.conductivity) *
          law.saturation.factor(temperature, field);
 }
-/// Of a contact that potentials differ across by `drop` [V]: mean conductivity times area over distance [S].
-[[nodiscard]] double branch_conductance(const ElectricLaw& law, const Particles& particles,
-                                        const ContactPoint& contact, std::span<const double> temperature,
-                                        double drop) noexcept;
+struct Branch {
+  double conductance;  ///< mean conductivity times area over distance [S]
+  double share;        ///< of its Joule heat that goes to particle i: R_i/(R_i + R_j), R ~ 1/sigma
+};
+/// Of a contact that potentials differ across by `drop` [V].
+[[nodiscard]] Branch branch_of(const ElectricLaw& law, const Particles& particles,
+                               const ContactPoint& contact, std::span<const double> temperature,
+                               double drop) noexcept;
 
 class CurrentField {
  public:
@@ -38,7 +42,8 @@ class CurrentField {
     return law_.model != CurrentModel::none && electrodes.any();
   }
 
-  /// Solves for `electric` [n] (currents, or potentials) at these contacts and fills `heat()`.
+  /// Solves for `electric` [n] (currents, or potentials) at these contacts and fills `heat()`. Throws
+  /// NumericalError where no solution is found.
   void update(const Placement& placement, const Electrodes& electrodes, std::span<const double> temperature,
               std::span<double> electric);
   /// Fills `heat()` from values that are a solution at these contacts already: a solver that ran again could
@@ -64,6 +69,8 @@ class CurrentField {
                  std::span<const double> temperature, std::span<double> electric, Values values);
   void solve(std::span<double> x, Values values);
 
+  void solve_in_turns(const Placement& placement, const Electrodes& electrodes, std::size_t n,
+                      std::span<const double> temperature);
   void find_branches(const Placement& placement, const Electrodes& electrodes, std::size_t n,
                      std::span<const double> temperature);
 
@@ -72,8 +79,9 @@ class CurrentField {
   std::vector<double> volume_;  // of each particle [m3]
   WeightedLaplacian laplacian_;
   std::vector<WeightedEdge> edges_;
+  std::vector<double> share_;  // of the heat of each edge that its i gets
   std::vector<char> fixed_, carrying_;
-  std::vector<double> depth_, values_, before_, heat_;
+  std::vector<double> depth_, values_, before_, change_before_, heat_;
   std::size_t connected_ = 0;
 };
 

@@ -63,12 +63,17 @@ void WeightedLaplacian::solve(std::span<const WeightedEdge> edges, std::span<con
       if (unknown_[i]) x[i] = low;
     return;
   }
+  if (solver_ == CurrentSolver::direct) return solve_direct(edges, fixed, x);
+  // Only differences matter: a level that all share would hide them from the tolerance.
+  shifted_.assign(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    if (reached_[i]) shifted_[i] = x[i] - low;
   if (solver_ == CurrentSolver::jacobi)
-    solve_jacobi(edges, x);
-  else if (solver_ == CurrentSolver::conjugate)
-    solve_conjugate(edges, x);
+    solve_jacobi(edges, shifted_);
   else
-    solve_direct(edges, fixed, x);
+    solve_conjugate(edges, shifted_);
+  for (std::size_t i = 0; i < n; ++i)
+    if (unknown_[i]) x[i] = low + shifted_[i];
 }
 
 void WeightedLaplacian::solve_jacobi(std::span<const WeightedEdge> edges, std::span<double> x) {

@@ -22,6 +22,7 @@ class WeightedLaplacian {
   /// Fills x on the free nodes; on entry it holds the fixed values and, elsewhere, a first guess.
   /// Nodes without a path to a fixed node get 0: they carry nothing.
   ///   fixed [n]  what is given
+  /// The tolerance is relative to the spread of the fixed values.
   /// Throws NumericalError when an iterative solver does not reach its tolerance.
   void solve(std::span<const WeightedEdge> edges, std::span<const char> fixed, std::span<double> x);
 
@@ -43,7 +44,7 @@ class WeightedLaplacian {
   int iterations_ = 0;
   std::vector<std::int32_t> parent_;
   std::vector<char> reached_, unknown_;  // unknown: reached and not fixed
-  std::vector<double> diagonal_, residual_, direction_, product_, preconditioned_;
+  std::vector<double> diagonal_, residual_, direction_, product_, preconditioned_, shifted_;
 };
 
 }  // namespace superstep::dynamics
