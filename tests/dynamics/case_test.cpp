@@ -75,6 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"until = 0.1", "until = 1e-300", "the length of the phase, 1e-300 s is beyond"},
                     Mistake{"t_end = 3.0", "t_end = 1e-300", "between 1e-40 and 1e+40 s"},
                     Mistake{"until = 3.0", "until = 2.0", "before t_end"},
+                    Mistake{"name = \"hold\"", "name = \"press\"", "[0].name' is the same, and results tell"},
                     Mistake{"current = { lower = 1.0, upper = 3.0 }", "potential = { lower = 1.0 }",
                             "model = \"potential\""},
                     Mistake{"position = [0.0, 0.0, 0.225]", "position = [0.0, 0.0, 0.2]", "overlap"},
@@ -100,6 +101,60 @@ TEST(SinteringCases, BondsThatPullWithoutBoundAreRefused) {
   // Hot contacts have nothing but their floor to push with.
   EXPECT_NE(complaint("stiffness_floor = 1e7", "stiffness_floor = 8e6").find("stiffness_floor"),
             std::string::npos);
+}
+
+/// Two particles of one material of this hardness, with these laws.
+std::string two_bonded(double hardness, const std::string& contact, const std::string& bond) {
+  return fmt::format(
+      "t_end = 0.5\n"
+      "[[materials]]\nname = \"a\"\ndensity = 2000.0\n"
+      "thermal = {{ conductivity = 0.0, specific_heat = 100.0 }}\nhardness = {}\n"
+      "[thermal]\ninitial = 300.0\nwalls = 300.0\n"
+      "[dynamics.box]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n"
+      "[dynamics.particles]\nlist = [{{ position = [0, 0, 0], radius = 0.1, material = \"a\" "
+      "}}]\n"
+      "[dynamics.contact]\nstiffness = 1e7\n{}\n[dynamics.wall]\nstiffness = 1e7\n"
+      "[dynamics.bond]\n{}\n[[dynamics.phases]]\nname = \"x\"\nuntil = 0.5\n",
+      hardness, contact, bond);
+}
+
+TEST(SinteringCases, BondsAreHeldAgainstTheWeakestContactThereIs) {
+  const TemporaryFolder folder;
+  const auto complaint = [&](double hardness, const char* contact, const char* bond) {
+    const auto path = folder.write("case.toml", two_bonded(hardness, contact, bond));
+    return message_of<InputError>([&] { (void)load_press(path); });
+  };
+  const auto says = [](const std::string& message, const char* what) {
+    EXPECT_NE(message.find(what), std::string::npos) << message;
+  };
+  // A contact of hardness 0.1 pushes with a tenth.
+  says(complaint(0.1, "", "stiffness = 5e6\nthreshold = 0.01"), "must be below 1000000 N/m2");
+  EXPECT_EQ(complaint(0.1, "", "stiffness = 9e5\nthreshold = 0.01"), "");
+  EXPECT_EQ(complaint(4, "", "stiffness = 3e7\nthreshold = 0.01"), "") << "and one of 4 with four times";
+  // Of hot ones no more than the floor is left, exactly.
+  const char* floor = "softening_temperature = 900\nstiffness_floor = 1e6";
+  says(complaint(1, floor, "stiffness = 1e6\nthreshold = 0.01"), "must be below 1000000 N/m2");
+  EXPECT_EQ(complaint(1, floor, "stiffness = 9.9e5\nthreshold = 0.01"), "");
+  // Overlap^1 against overlap^2: at the threshold of 0.01 the bond pulls a hundred times as hard.
+  says(complaint(1, "", "exponent = 1\nstiffness = 9e6\nthreshold = 0.01"), "must be below 100000 N/m2");
+  EXPECT_EQ(complaint(1, "", "exponent = 1\nstiffness = 9e4\nthreshold = 0.01"), "");
+  EXPECT_EQ(complaint(1, "", "exponent = 3\nstiffness = 9e6\nthreshold = 0.01"), "") << "most at overlap 1";
+}
+
+TEST(SinteringCases, ParticlesThatTouchUpToRoundingDoNotOverlap) {
+  const TemporaryFolder folder;
+  const auto complaint = [&](const char* second) {
+    std::string text = two_bonded(1, "", "stiffness = 1e6\nthreshold = 0.1");
+    text = replaced(text, "position = [0, 0, 0]", "position = [0.1, 0, 0]");
+    text = replaced(text, "\"a\" }]",
+                    std::string("\"a\" }, { position = [") + second +
+                        ", 0, 0], radius = 0.1, material = \"a\" }]\nmax_overlap = 0.0");
+    const auto path = folder.write("case.toml", text);
+    return message_of<InputError>([&] { (void)load_press(path); });
+  };
+  ASSERT_LT(0.3 - 0.1, 0.2) << "of numbers with 53 bits";
+  EXPECT_EQ(complaint("0.3"), "");
+  EXPECT_NE(complaint("0.2999").find("overlap by"), std::string::npos);
 }
 
 TEST(SinteringCases, ZeroParticlesAndFullBoxesAreErrors) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -61,7 +62,7 @@ double rounded_up(double value) {
 void check_overlaps(const ModelInput& input, std::optional<double> allowed, const std::string& place) {
   constexpr double rounding = 1e-9;  // particles that just touch do not overlap
   const Overlap deepest = deepest_overlap(input);
-  if (deepest.strain <= allowed.value_or(rounding)) return;
+  if (deepest.strain <= std::max(allowed.value_or(0), rounding)) return;
   const std::string limit =
       allowed ? fmt::format("max_overlap is {}", *allowed) : "without max_overlap they may touch and no more";
   const double enough = rounded_up(deepest.strain);

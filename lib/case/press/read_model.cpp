@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "case/inputs/workable_times.hpp"
 #include "case/press/read_materials.hpp"
@@ -81,37 +82,55 @@ BondLaw read_bond(TomlTable& table) {
   return law;
 }
 
-/// Largest stiffness that a bond has, over that of the contact, at any temperature: both fall in straight
-/// lines to their floors, so that the corners and the coldest are enough.
-double strongest_pull(const BondLaw& bond, const ContactLaw& contact) {
+/// What the powers of the overlap add to the pull over the push, at the overlap where that is most: at the
+/// threshold, where a bond forms, or at 1.
+double ratio_of_powers(const BondLaw& bond, const ContactLaw& contact) {
+  return std::max(1.0, std::pow(std::min(bond.threshold, 1.0), bond.exponent - contact.exponent));
+}
+
+/// Largest pull of a bond over the push of a contact of this hardness, at any temperature and any overlap
+/// from the threshold on. Both stiffnesses fall in straight lines to their floors, so that the corners, the
+/// coldest and the hottest are enough, and powers of the overlap are farthest apart at its ends.
+double strongest_pull(const BondLaw& bond, const ContactLaw& contact, double hardness) {
+  constexpr double never = std::numeric_limits<double>::infinity();
   const auto corner = [](double stiffness, const Softening& softening) {
     return stiffness > softening.floor ? softening.temperature * (1 - softening.floor / stiffness) : 0.0;
   };
-  double largest = 0;
+  const auto hottest = [](double stiffness, const Softening& softening) {
+    return std::isfinite(softening.temperature) ? softening.floor : std::max(stiffness, softening.floor);
+  };
+  const auto ratio = [&](double pull, double push) {
+    return push > 0 ? pull / (hardness * push) : pull > 0 ? never : 0.0;
+  };
+  double largest =
+      ratio(hottest(bond.stiffness, bond.softening), hottest(contact.stiffness, contact.softening));
   for (const double temperature :
-       {0.0, corner(bond.stiffness, bond.softening), corner(contact.stiffness, contact.softening)}) {
-    if (!std::isfinite(temperature)) continue;
-    const double pull = softened(bond.stiffness, bond.softening, temperature),
-                 push = softened(contact.stiffness, contact.softening, temperature);
-    largest = std::max(largest, push > 0   ? pull / push
-                                : pull > 0 ? std::numeric_limits<double>::infinity()
-                                           : 0);
-  }
-  return largest;
+       {0.0, corner(bond.stiffness, bond.softening), corner(contact.stiffness, contact.softening)})
+    if (std::isfinite(temperature))
+      largest = std::max(largest, ratio(softened(bond.stiffness, bond.softening, temperature),
+                                        softened(contact.stiffness, contact.softening, temperature)));
+  return largest * ratio_of_powers(bond, contact);
 }
 
-/// Where a bond pulls harder than the contact pushes at every overlap there is, nothing stops two particles
-/// on their way into each other, and the speed that they gain is without bound.
-void require_bounded_attraction(TomlTable& bond, const BondLaw& law, const ContactLaw& contact) {
+/// Where a bond pulls harder than the contact pushes at every overlap that it acts at, nothing stops two
+/// particles on their way into each other, and the speed that they gain is without bound.
+void require_bounded_attraction(TomlTable& bond, const BondLaw& law, const ContactLaw& contact,
+                                std::span<const PressMaterial> materials) {
+  double hardness = materials.front().hardness;
+  for (const auto& material : materials) hardness = std::min(hardness, material.hardness);
   // A neck pulls to the length that it has grown at, and no further.
-  if (!law.acts() || law.rule == BondRule::rest_length || strongest_pull(law, contact) < 1) return;
+  if (!law.acts() || law.rule == BondRule::rest_length || strongest_pull(law, contact, hardness) < 1) return;
   const bool softens = std::isfinite(contact.softening.temperature);
   const double softest = softens ? std::min(contact.softening.floor, contact.stiffness) : contact.stiffness;
+  const double powers = ratio_of_powers(law, contact);
+  std::string what = softens ? "stiffness_floor of hot contacts" : "stiffness";
+  if (hardness != 1) what += fmt::format(" times the smallest hardness, {},", hardness);
+  if (powers > 1) what += fmt::format(" times threshold^({} - {})", contact.exponent, law.exponent);
   bond.require("stiffness", "")
-      .reject(fmt::format("it must be below {} N/m2, the {} of [dynamics.contact], or soften with it: a bond "
-                          "that pulls harder "
-                          "than the contact pushes draws its particles into each other",
-                          softest, softens ? "stiffness_floor of hot contacts" : "stiffness"));
+      .reject(
+          fmt::format("it must be below {:.10g} N/m2, the {} of [dynamics.contact], or soften with it: a "
+                      "bond that pulls harder than the contact pushes draws its particles into each other",
+                      hardness * softest / powers, what));
 }
 
 void read_wall_temperatures(TomlTable& table, ThermalLaw& law) {
@@ -192,11 +211,18 @@ void read_electrodes(TomlTable& table, const ElectricLaw& law, Phase& phase) {
 Schedule read_phases(TomlTable& dynamics, const Model& model, double t_end) {
   const auto list = dynamics.require("phases", "one table [[dynamics.phases]] with name and until for each");
   std::vector<Phase> phases;
+  std::vector<std::string> named_at;
   double time = 0, height = model.box.max.z;
   for (const auto& entry : list.array()) {
     TomlTable table = entry.table();
     Phase phase;
-    phase.name = table.require("name", "e.g. \"pour\"").string();
+    const auto name = table.require("name", "e.g. \"pour\"");
+    phase.name = name.string();
+    for (std::size_t k = 0; k < phases.size(); ++k)
+      if (phases[k].name == phase.name)
+        name.reject(fmt::format("{} is the same, and results tell phases by their names; give each its own",
+                                named_at[k]));
+    named_at.push_back(name.where());
     const auto until = table.require("until", "time at which the phase ends [s]");
     phase.begin = time;
     phase.end = until.number();
@@ -256,7 +282,7 @@ ModelInput read_model(TomlTable& root, double t_end, std::optional<std::uint64_t
   model.wall = read_contact(table_from(dynamics, "wall", "it holds the law between particle and wall"));
   if (auto bond = dynamics.table("bond")) {
     model.bond = read_bond(*bond);
-    require_bounded_attraction(*bond, model.bond, model.contact);
+    require_bounded_attraction(*bond, model.bond, model.contact, materials);
   }
   model.schedule = read_phases(dynamics, model, t_end);
   read_particles(table_from(dynamics, "particles", "it holds count and radius, a list, or a file"), materials,
