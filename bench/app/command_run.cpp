@@ -217,7 +217,10 @@ CommandEntry run_command() {
       .options =
           {integrator_option("auto"),
            {"--tolerance", &Arguments::tolerance,
-            "error allowed relative to the field's span, instead of the SPEC's rtol", "X"},
+            "error allowed relative to the field's span, instead of the SPEC's rtol; of moving particles: "
+            "change "
+            "in the last iteration of a step (without a thermal_integrator), which bounds no error",
+            "X"},
            {"--out", &Arguments::out, "folder for final.csv, probes.csv, run.json", "DIR"},
            {"--verify", &Arguments::verify,
             "run again by a method of another family, ten times tighter, and print the error delivered", ""},

@@ -42,24 +42,28 @@ double limit_of_pairs(const Press& press) {
 }  // namespace
 
 double pair_oscillation(const Press& press) {
-  const auto& radius = press.particles.radius;
-  const auto small =
-      static_cast<std::size_t>(std::min_element(radius.begin(), radius.end()) - radius.begin());
   constexpr double strain = 0.1;
-  const double r = radius[small], distance = 2 * r * (1 - strain);
   const auto& law = press.model.contact;
-  const double force = dynamics::contact_force(law, -strain, dynamics::pair_area(distance, r, r),
-                                               press.state.temperature[small]);
-  if (!(force > 0)) return 0;
-  return std::sqrt(press.particles.mass[small] / dynamics::contact_slope(force, law.exponent, strain, 2 * r));
+  double shortest = no_limit;
+  for (std::size_t i = 0; i < press.particles.size(); ++i) {
+    const double r = press.particles.radius[i], distance = 2 * r * (1 - strain);
+    const double force = dynamics::value_of(press.particles.hardness, i, 1) *
+                         dynamics::contact_force(law, -strain, dynamics::pair_area(distance, r, r),
+                                                 press.state.temperature[i]);
+    if (!(force > 0)) continue;
+    shortest = std::min(shortest, std::sqrt(press.particles.mass[i] /
+                                            dynamics::contact_slope(force, law.exponent, strain, 2 * r)));
+  }
+  return std::isfinite(shortest) ? shortest : 0;
 }
 
 PressForecast forecast_press(const Press& press) {
   const double cost = is_plain(press) ? 3e-7 : 1e-6;  // s of CPU a particle and step
   const double bed = limit_of_bed(press);
   PressForecast out;
-  out.step = std::min(press.stepping.largest_step, std::isfinite(bed) ? bed : limit_of_pairs(press));
-  out.steps = std::ceil((press.t_end - press.state.time) / out.step);
+  const double time = press.t_end - press.state.time;
+  out.step = std::min({press.stepping.largest_step, std::isfinite(bed) ? bed : limit_of_pairs(press), time});
+  out.steps = std::ceil(time / out.step);
   out.cpu = out.steps * static_cast<double>(press.particles.size()) * cost;
   return out;
 }

@@ -11,7 +11,8 @@ struct PressForecast {
   double cpu = 0;    ///< s, about
 };
 
-/// sqrt(m/k) of two of the smallest particles at 10 % overlap, cold [s]; 0 where they do not repel.
+/// sqrt(m/k) of two equal particles at 10 % overlap, cold: the shortest of all particles [s]; 0 where none
+/// repels.
 [[nodiscard]] double pair_oscillation(const Press& press);
 
 /// The step is what the scheme allows where the bed stands, if its particles touch; else a sixth of a pair's

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -34,7 +35,7 @@ struct Lane {
 
 /// One repetition of one contact update; the first one counts, the others are only timed.
 void advance(Lane& lane, std::size_t repetition, const MovingNetwork& network, double h,
-             const std::vector<double>& begin, double most_seconds) {
+             const std::vector<double>& begin, double most_seconds, const std::atomic<bool>* stop) {
   if (!lane.outcome.ok()) return;
   const ThermalBridge& bridge = lane.bridges[repetition];
   if (most_seconds > 0 && bridge.cpu_stepping() + bridge.cpu_building() > most_seconds) {
@@ -44,18 +45,18 @@ void advance(Lane& lane, std::size_t repetition, const MovingNetwork& network, d
     return;
   }
   std::vector<double> temperature = begin;
-  Outcome outcome = lane.bridges[repetition].advance(network, h, temperature);
+  Outcome outcome = lane.bridges[repetition].advance(network, h, temperature, stop);
   if (repetition == 0) lane.temperature = std::move(temperature);
   if (!outcome.ok()) lane.outcome = std::move(outcome);
 }
 
 void advance_all(std::vector<Lane>& lanes, std::size_t repetitions, const MovingNetwork& network, double h,
-                 double most_seconds) {
+                 double most_seconds, const std::atomic<bool>* stop) {
   std::vector<std::vector<double>> begin;
   for (const auto& lane : lanes) begin.push_back(lane.temperature);
   for (std::size_t k = 0; k < repetitions; ++k)
     for (const std::size_t lane : round_order(lanes.size(), k))
-      advance(lanes[lane], k, network, h, begin[lane], most_seconds);
+      advance(lanes[lane], k, network, h, begin[lane], most_seconds, stop);
 }
 
 void raise(Number& worst, double value) {
@@ -138,8 +139,9 @@ BenchCase bench_thermal_lanes(const Press& one, double cpu_setup, const HarnessO
   motion.observe_step = [&](const MovingNetwork& network, double h) {
     ++updates;
     contacts = std::max(contacts, network.contacts().touching());
-    advance_all(lanes, repetitions, network, h, options.limits.seconds);
-    if (referenced) advance_all(exact, 1, network, h, limits_of_reference(options.limits).seconds);
+    advance_all(lanes, repetitions, network, h, options.limits.seconds, options.stop);
+    if (referenced)
+      advance_all(exact, 1, network, h, limits_of_reference(options.limits).seconds, options.stop);
     progress.reached(motion.state().time);
   };
   progress.begin(one.name, one.t_end);

@@ -71,7 +71,7 @@ void Stretches::add_sources(double h, std::span<double> values) const {
 
 bool Stretches::is_prepared(double h, double span, double rtol, const FieldRange& range) const noexcept {
   constexpr double little = 0.05;
-  if (!integrator_ || h != h_ || rtol != rtol_now_) return false;
+  if (!integrator_ || h != h_ || stop != stop_ || rtol != rtol_now_) return false;
   if (span_ == 0 || span == 0) return false;  // the span was that of the stretch before
   const double slack = little * span_;
   return span <= span_ + slack && span >= span_ && range.low >= range_.low - slack &&
@@ -82,6 +82,7 @@ void Stretches::prepare(double h, double span, double rtol, const FieldRange& ra
   Plan plan;
   plan.output_times = {h};
   plan.ranges = {range};
+  plan.stop = stop;
   if (span > 0) plan.spans = {span};
   integrator_ = make_integrator(rtol == rtol_ ? spec_ : MethodSpec(spec_).with_tolerance(rtol).text());
   integrator_->prepare(*rhs_, plan);
@@ -89,6 +90,7 @@ void Stretches::prepare(double h, double span, double rtol, const FieldRange& ra
   span_ = span;
   rtol_now_ = rtol;
   range_ = range;
+  stop_ = stop;
   ++preparations_;
 }
 

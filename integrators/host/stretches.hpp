@@ -2,6 +2,7 @@
 /// Any registered method over a network that stands between two changes: a network that changes gets a new
 /// stretch, not a new method.
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -29,8 +30,10 @@ class Stretches {
   ///   span   what rtol refers to, > 0; 0 = that of each stretch by itself
   ///   share  part of the tolerance that this stretch may use up: errors of stretches add up, and shares that
   ///          sum to 1 leave a whole run within its tolerance. Never below a hundred roundings of the values
-  /// Values are left as they were unless the outcome is ok.
+  /// Values are left as they were unless the outcome is ok, nor is it where `stop` was set.
   [[nodiscard]] Outcome advance(double h, std::span<double> values, double span = 0, double share = 1);
+
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: stop at a step end of the method
 
   [[nodiscard]] const std::string& spec() const noexcept { return spec_; }
   /// Work of all stretches so far; see Statistics.
@@ -55,6 +58,7 @@ class Stretches {
   std::unique_ptr<Integrator> integrator_;  // null = not prepared; after rhs_, which it refers to
   double h_ = 0, span_ = 0, rtol_now_ = 0;  // that it is prepared for
   FieldRange range_;
+  const std::atomic<bool>* stop_ = nullptr;  // the same
   std::uint64_t sweeps_ = 0, steps_ = 0, rejected_ = 0, factorizations_ = 0, preparations_ = 0;
   int max_stages_ = 0;
   double cpu_building_ = 0, cpu_stepping_ = 0;

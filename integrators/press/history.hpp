@@ -25,9 +25,11 @@ struct HistoryRow {
   double elastic_energy = 0;    ///< that contacts and necks have taken up
   double dissipated = 0;        ///< in damping, friction and drag
   double joule_heat = 0;        ///< of the current in particles that are not held at a temperature
-  double heat_lost = 0;         ///< to walls, and to hold particles at the temperature of theirs
-  double heat_content = 0;      ///< sum of m C T now [J]
-  std::int32_t landed = 0;      ///< 1 = the step ended where something jumped (`control = "steady"`)
+  /// To walls, and to hold particles at the temperature of theirs. Of a thermal integrator, what the
+  /// current's heat and the change of the content leave.
+  double heat_lost = 0;
+  double heat_content = 0;  ///< sum of m C T now [J]
+  std::int32_t landed = 0;  ///< 1 = the step ended where something jumped (`control = "steady"`)
 };
 
 }  // namespace superstep::dynamics

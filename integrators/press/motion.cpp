@@ -65,9 +65,13 @@ Outcome Motion::advance(double t_out) {
   if (Outcome outcome = check(); !outcome.ok()) return outcome;
   while (state_.time < t_out) {
     if (Outcome outcome = take_step(t_out); !outcome.ok()) return outcome;
-    if (stop && *stop) return {Status::interrupted, fmt::format("stopped at t = {:.6g} s", state_.time)};
+    if (stop && *stop) return stopped();
   }
   return {};
+}
+
+Outcome Motion::stopped() const {
+  return {Status::interrupted, fmt::format("stopped at t = {:.6g} s", state_.time)};
 }
 
 Outcome Motion::take_step(double t_out) {
@@ -76,6 +80,8 @@ Outcome Motion::take_step(double t_out) {
   const double end = state_.time < phase.end ? std::min(t_out, phase.end) : t_out;
   const bool flows = model_.electric.model != CurrentModel::none;
   if (locates_ || flows) before_ = state_;
+  const double step_at_begin = step_;
+  stepper_->stop = stop;
   const double longest = std::min({settings_.largest_step, stepper_->limit(), travel_limit()});
   for (std::int64_t rejections = 0;; ++rejections) {
     const double remaining = end - state_.time;
@@ -83,6 +89,10 @@ Outcome Motion::take_step(double t_out) {
     bool landed = false;
     const Attempt attempt = land(phase, h, landed);
     const bool to_end = h == remaining;
+    if (attempt.failure.status == Status::interrupted) {
+      step_ = step_at_begin;  // what goes on from here tries what this step tried
+      return stopped();
+    }
     if (!attempt.failure.ok()) return attempt.failure;
     if (attempt.converged) {
       state_.time = to_end ? end : state_.time + h;
@@ -144,7 +154,7 @@ Attempt Motion::land(const Phase& phase, double& h, bool& landed) {
     if (landed || many || none || trial == trials) return attempt;
     if (switches.empty()) beyond *= 10;  // stopped short of it
     const double next = switches.empty() ? h + beyond : switches.front().part * h + beyond;
-    h = std::clamp(next, std::max(close * whole, settings_.smallest_step), whole);
+    h = std::clamp(next, std::min(std::max(close * whole, settings_.smallest_step), whole), whole);
     state_ = before_;
   }
 }
@@ -201,6 +211,9 @@ void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::i
   row.landed = landed ? 1 : 0;
   const bool staggered = settings_.scheme == SteppingSettings::Scheme::staggered;
   add_energies(before, powers_, end, h, staggered ? settings_.phi : 0, row);
+  // A bridge follows the temperatures through the step: its flux at the two ends does not tell what was lost.
+  if (stepper_->bridge())
+    row.heat_lost = before.heat_lost + h * powers_.joule + before.heat_content - content;
   row.joule_heat += corrected;
   row.heat_lost += held_back;
   powers_ = end;
@@ -208,7 +221,7 @@ void Motion::accept(const Phase& phase, double h, const Attempt& attempt, std::i
     network_.place(state_.position, state_.temperature, next, state_.time);
     history_.back().heat_lost += heat_content(network_, state_.temperature);
     network_.settle(state_, next);
-    history_.back().heat_content = heat_content(network_, state_.temperature);
+    record_temperatures(history_.back());
     history_.back().heat_lost -= history_.back().heat_content;
     stepper_->begin(state_);
     powers_ = powers_of(network_, state_.velocity, state_.temperature);
@@ -250,14 +263,9 @@ void Motion::record(const Phase& phase, double h, std::int64_t iterations, std::
   row.phase = static_cast<std::int32_t>(&phase - model_.schedule.phases().data());
   row.volume_fraction =
       volume_fraction(model_.box, model_.schedule.lowest_wall(), state_.position, particles_.radius);
-  row.max_temperature = state_.temperature.front();
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    row.mean_temperature += state_.temperature[i];
-    row.max_temperature = std::max(row.max_temperature, state_.temperature[i]);
+  for (std::size_t i = 0; i < state_.size(); ++i)
     row.kinetic_energy += 0.5 * particles_.mass[i] * dot(state_.velocity[i], state_.velocity[i]);
-  }
-  row.mean_temperature /= static_cast<double>(state_.size());
-  row.heat_content = heat_content(network_, state_.temperature);
+  record_temperatures(row);
   row.wall_force = stepper_->wall_force();
   row.bonds = static_cast<std::int64_t>(state_.bonds.size());
   row.contacts = static_cast<std::int64_t>(network_.contacts().touching());
@@ -265,6 +273,18 @@ void Motion::record(const Phase& phase, double h, std::int64_t iterations, std::
   row.iterations = iterations;
   row.rejections = rejections;
   history_.push_back(row);
+}
+
+/// All that a row says of the temperatures of now.
+void Motion::record_temperatures(HistoryRow& row) const {
+  row.mean_temperature = 0;
+  row.max_temperature = state_.temperature.front();
+  for (const double temperature : state_.temperature) {
+    row.mean_temperature += temperature;
+    row.max_temperature = std::max(row.max_temperature, temperature);
+  }
+  row.mean_temperature /= static_cast<double>(state_.size());
+  row.heat_content = heat_content(network_, state_.temperature);
 }
 
 }  // namespace superstep::dynamics

@@ -42,6 +42,8 @@ class Stepper {
   [[nodiscard]] virtual double wall_force() const noexcept = 0;
   /// The integrator of the temperatures; null when the stepper takes them itself.
   [[nodiscard]] virtual const ThermalBridge* bridge() const noexcept = 0;
+
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: an attempt may end in an interruption
 };
 
 /// How far a particle may go in one step, in the smallest radius: two that fly at each other are then seen to
@@ -81,9 +83,11 @@ class Motion {
   std::function<void(const MovingNetwork& network, double h)> observe_step;
   /// Called when everything about a step is done: `state`, `history` and `next_step` make a checkpoint.
   std::function<void()> after_step;
-  const std::atomic<bool>* stop = nullptr;  ///< set from outside: stop at the next step end
+  /// Set from outside: stop at the next step end, or, before the step, inside what takes its temperatures.
+  const std::atomic<bool>* stop = nullptr;
 
  private:
+  [[nodiscard]] Outcome stopped() const;
   [[nodiscard]] Outcome take_step(double t_out);
   [[nodiscard]] Outcome undone(const Phase& phase, std::size_t rows, const std::string& why);
   [[nodiscard]] double travel_limit() const;
@@ -93,6 +97,7 @@ class Motion {
   [[nodiscard]] bool correct_heat(double h, double& heat_added);
   [[nodiscard]] Outcome check() const;
   [[nodiscard]] Outcome collapsed(double h, const Attempt& attempt) const;
+  void record_temperatures(HistoryRow& row) const;
   void record(const Phase& phase, double h, std::int64_t iterations, std::int64_t rejections);
 
   const Model& model_;

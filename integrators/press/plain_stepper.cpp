@@ -64,7 +64,7 @@ Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
   }
   // Necks grow like the temperatures: with the rate that the step begins with.
   network_.place(position_, state.temperature, phase, std::min(state.time + h, phase.end), {h, 0});
-  if (bridge_) attempt.failure = bridge_->advance(network_, h, temperature_);
+  if (bridge_) attempt.failure = bridge_->advance(network_, h, temperature_, stop);
   if (!attempt.failure.ok()) return attempt;
   attempt.factor = shortened(h);
   if (attempt.factor < 1) return attempt;

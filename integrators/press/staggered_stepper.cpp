@@ -203,7 +203,7 @@ Attempt StaggeredStepper::attempt(State& state, const Phase& phase, double h) {
 Outcome StaggeredStepper::bridge_heat(const State& state, double h) {
   const double before = process_cpu_seconds();
   std::copy(state.temperature.begin(), state.temperature.end(), temperature_.begin());
-  Outcome outcome = bridge_->advance(network_, h, temperature_);
+  Outcome outcome = bridge_->advance(network_, h, temperature_, stop);
   network_.times.heat += process_cpu_seconds() - before;
   return outcome;
 }

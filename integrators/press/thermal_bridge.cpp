@@ -20,7 +20,8 @@ double span_now(const Model& model, std::span<const double> temperature) {
 
 }  // namespace
 
-Outcome ThermalBridge::advance(const MovingNetwork& moving, double h, std::span<double> temperature) {
+Outcome ThermalBridge::advance(const MovingNetwork& moving, double h, std::span<double> temperature,
+                               const std::atomic<bool>* stop) {
   const double begin = process_cpu_seconds();
   const Model& model = moving.model();
   const double share = std::min(h / model.schedule.phases().back().end, 1.0);
@@ -34,6 +35,7 @@ Outcome ThermalBridge::advance(const MovingNetwork& moving, double h, std::span<
     free_[row] = temperature[static_cast<std::size_t>(node_of_row[row])];
   cpu_freezing_ += process_cpu_seconds() - begin;
   stretches_.take(std::move(network));
+  stretches_.stop = stop;
   Outcome outcome = stretches_.advance(h, free_, span_now(model, temperature), share);
   if (!outcome.ok()) return outcome;
   for (std::size_t row = 0; row < free_.size(); ++row)

@@ -1,6 +1,7 @@
 #pragma once
 /// Any registered integrator for the temperatures of the network that stands between two contact updates.
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -20,7 +21,9 @@ class ThermalBridge {
   /// held particles are set to their wall's. The method's tolerance is that of the whole schedule: each call
   /// may use up the part of it that h is of the schedule's time. It refers to the range of temperatures now,
   /// those of the walls included.
-  [[nodiscard]] Outcome advance(const MovingNetwork& network, double h, std::span<double> temperature);
+  ///   stop  set from outside: the call ends early, interrupted; may be null
+  [[nodiscard]] Outcome advance(const MovingNetwork& network, double h, std::span<double> temperature,
+                                const std::atomic<bool>* stop);
 
   [[nodiscard]] const std::string& spec() const noexcept { return stretches_.spec(); }
   [[nodiscard]] std::uint64_t sweeps() const noexcept { return stretches_.sweeps(); }

@@ -92,5 +92,86 @@ TEST(Energy, OfABedCloses) {
   EXPECT_LT(of_fine.mechanical, of_coarse.mechanical / 8) << "1/16 where nothing has corners";
 }
 
+/// Pressed into a floor of 400 K whose heat it takes within a part of a step.
+TEST(Energy, LostThroughAThermalIntegratorIsWhatTheParticlesGained) {
+  Model model = quiet_model();
+  model.contact.stiffness = model.wall.stiffness = 0;
+  model.thermal.conductivity = 5e6;  // time constant of 1.4 ms, steps of 5 ms
+  model.thermal.wall_temperature.fill(400);
+  Cloud cloud;
+  cloud.add({0, 0, -1 + 0.0675});
+  const double capacity = 100 * cloud.particles.mass[0];
+  for (const auto scheme : {SteppingSettings::Scheme::staggered, SteppingSettings::Scheme::plain}) {
+    SteppingSettings settings;
+    settings.scheme = scheme;
+    settings.thermal_integrator = "exponential:rtol=1e-9";
+    Motion motion(model, cloud.particles, settings);
+    motion.start(cloud.state);
+    ASSERT_TRUE(motion.advance(0.05).ok());
+    EXPECT_NEAR(motion.history().back().heat_lost, -100 * capacity, 1e-6 * 100 * capacity);
+    EXPECT_LT(balance_errors(motion.history()).thermal, 1e-12);
+  }
+}
+
+/// Where a phase begins that holds a particle at the temperature of its wall, all that a row says is of then.
+TEST(Energy, RowsAtTheChangeOfAPhaseAgreeWithThemselves) {
+  Model model = quiet_model();
+  model.contact.stiffness = model.wall.stiffness = 0;
+  model.thermal.conductivity = 10;
+  model.thermal.wall_temperature.fill(600);
+  model.electric.model = CurrentModel::averaging;
+  Phase first = model.schedule.phases().front(), second = first;
+  first.end = second.begin = 0.01;
+  second.lower = 10;
+  model.schedule = Schedule({first, second});
+  Cloud cloud;
+  cloud.add({0, 0, -1 + 0.074});
+  cloud.add({0.5, 0, 0});
+  Motion motion(model, cloud.particles, SteppingSettings{});
+  motion.start(cloud.state);
+  ASSERT_TRUE(motion.advance(0.01).ok());
+  const HistoryRow& row = motion.history().back();
+  EXPECT_EQ(motion.state().temperature[0], 600);
+  EXPECT_EQ(row.max_temperature, 600);
+  const double capacity = 100 * cloud.particles.mass[0];
+  EXPECT_NEAR(row.heat_content, 2 * capacity * row.mean_temperature, 1e-9 * row.heat_content);
+  EXPECT_LT(balance_errors(motion.history()).thermal, 1e-9) << "what held it is booked";
+}
+
+TEST(Energy, HeatBelowTheRoundingsOfTheContentTellsNothing) {
+  HistoryRow begin, end;
+  begin.heat_content = end.heat_content = 1e6;
+  end.joule_heat = 1e-11;  // a tenth of what 1e6 J are rounded to
+  EXPECT_EQ(balance_errors(std::vector{begin, end}).thermal, 0);
+  end.joule_heat = 1;
+  EXPECT_EQ(balance_errors(std::vector{begin, end}).thermal, 1) << "while a joule that is gone is gone";
+}
+
+/// Steps that make energy in a contact book it as elastic: once all are apart, none may be left.
+TEST(Energy, ThatStaysElasticWithoutAContactIsAnError) {
+  const Model model = quiet_model();
+  const Cloud cloud = two_against_each_other();
+  for (const double phi : {0.0, 0.5}) {
+    SteppingSettings settings = fixed_step(2e-4, phi);
+    Motion motion(model, cloud.particles, settings);
+    motion.start(cloud.state);
+    ASSERT_TRUE(motion.advance(0.1).ok());
+    ASSERT_EQ(motion.network().contacts().touching(), 0U) << "apart again";
+    const double begin = kinetic_energy(cloud.particles, cloud.state);
+    const double gain = motion.history().back().kinetic_energy - begin;
+    const double error = balance_errors(motion.history(), true).mechanical;
+    if (phi == 0.5) {
+      EXPECT_LT(error, 1e-3);
+    } else {
+      EXPECT_GT(gain, 0.01 * begin) << "phi < 0.5";
+      EXPECT_GT(error, 0.1 * gain / begin) << "of what is turned over, some four times the begin";
+    }
+    EXPECT_TRUE(conserves(model));
+  }
+  Model soft = model;
+  soft.contact.softening = {900, 0};
+  EXPECT_FALSE(conserves(soft)) << "what softens while it is pressed gives less back";
+}
+
 }  // namespace
 }  // namespace superstep

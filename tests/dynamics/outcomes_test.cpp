@@ -144,5 +144,49 @@ TEST(Outcomes, StopFlagEndsAtAStep) {
   EXPECT_EQ(motion.history().size(), 2U);
 }
 
+/// A step of the motion may be a long way for what takes its temperatures.
+TEST(Outcomes, StopFlagIsObeyedInsideAThermalIntegrator) {
+  Model model = quiet_model();
+  model.contact.stiffness = model.wall.stiffness = 0;
+  model.thermal.conductivity = 2e8;  // its heat is gone in 0.03 ms, a step is 5 ms
+  model.thermal.wall_temperature.fill(400);
+  Cloud cloud;
+  cloud.add({0, 0, -1 + 0.0675});
+  for (const auto scheme : {SteppingSettings::Scheme::staggered, SteppingSettings::Scheme::plain}) {
+    SteppingSettings settings;
+    settings.scheme = scheme;
+    settings.thermal_integrator = "forward-euler:step=1e-7";
+    std::atomic<bool> stop{true};
+    Motion motion(model, cloud.particles, settings);
+    motion.stop = &stop;
+    motion.start(cloud.state);
+    const Outcome outcome = motion.advance(0.005);
+    EXPECT_EQ(outcome.status, Status::interrupted) << outcome.reason;
+    EXPECT_EQ(outcome.reason, "stopped at t = 0 s");
+    EXPECT_EQ(motion.state().time, 0) << "the step was not finished";
+    EXPECT_EQ(motion.state().temperature[0], 300);
+    EXPECT_LT(motion.bridge()->sweeps(), 100U) << "of 50000";
+    stop = false;
+    EXPECT_TRUE(motion.advance(0.005).ok()) << "and it goes on from there";
+    EXPECT_NEAR(motion.state().temperature[0], 400, 1e-6);
+  }
+}
+
+/// Jumps are looked for in the last step before an output time, too, that is shorter than any other may be.
+TEST(Outcomes, OutputTimesAreHitByStepsBelowTheSmallest) {
+  Model model = quiet_model();
+  model.bond = {.stiffness = 1e5, .threshold = 1e-3};
+  Cloud cloud;
+  cloud.add({0, 0, 0}, {1, 0, 0});
+  cloud.add({0.1499, 0, 0}, {-1, 0, 0});  // bonded within 0.1 ms
+  SteppingSettings settings;
+  settings.first_step = settings.largest_step = settings.smallest_step = 1e-3;
+  Motion motion(model, cloud.particles, settings);
+  motion.start(cloud.state);
+  const Outcome outcome = motion.advance(1e-4);
+  ASSERT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_EQ(motion.state().time, 1e-4);
+}
+
 }  // namespace
 }  // namespace superstep

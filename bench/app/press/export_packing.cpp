@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <numbers>
 
+#include "bench/host/terminal.hpp"
+#include "bench/output/output_folder.hpp"
 #include "core/atomic_file.hpp"
 #include "packing/read.hpp"
 
@@ -32,10 +35,22 @@ Packing packing_of(const Press& one, const State& state) {
   return packing;
 }
 
+/// Bonds of an earlier export would be taken for those of this one. Only a file that begins as ours do.
+void forget_bonds(const std::string& file, const std::string& head, bool quiet) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string begin(head.size(), '\0');
+  if (!stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != head) return;
+  stream.close();
+  remove_stale_file(file);
+  if (quiet) return;
+  note(fmt::format("removed {}: it holds the bonds of an earlier export, and this case has none", file));
+}
+
 }  // namespace
 
 std::vector<std::string> export_packing(const std::string& file, const Press& one,
-                                        const dynamics::MovingNetwork& network, const State& state) {
+                                        const dynamics::MovingNetwork& network, const State& state,
+                                        bool quiet) {
   const auto& id = one.particles.id;
   const auto id_of = [&](std::int32_t k) { return id[static_cast<std::size_t>(k)]; };
   const std::filesystem::path path(file);
@@ -52,7 +67,10 @@ std::vector<std::string> export_packing(const std::string& file, const Press& on
       fmt::format_to(std::back_inserter(necks), "{},{},{}\n", id_of(contact.i), id_of(contact.j),
                      std::sqrt(contact.area / std::numbers::pi));
   write(stem + ".necks.csv", necks);
-  if (!one.model.bond.acts()) return written;
+  if (!one.model.bond.acts()) {
+    forget_bonds(stem + ".bonds.csv", bonds, quiet);
+    return written;
+  }
   for (const auto& bond : state.bonds)
     fmt::format_to(std::back_inserter(bonds), "{},{},{},{}\n", id_of(bond.i), id_of(bond.j), bond.overlap,
                    bond.growth);

@@ -11,7 +11,7 @@
 #include "bench/app/press/press_commands.hpp"
 #include "bench/measure/run_limits.hpp"
 #include "bench/press/press_forecast.hpp"
-#include "dynamics/laws/damping.hpp"
+#include "dynamics/heat.hpp"
 #include "dynamics/volume_fraction.hpp"
 #include "results/text/json_object.hpp"
 
@@ -22,46 +22,54 @@ struct PressFacts {
   double volume = 0, mass = 0;  ///< m3, kg
   double fraction_start = 0;    ///< of the whole box
   double fraction_pressed = 0;  ///< when every particle lies below the lowest wall
-  double joule_rate = 0;        ///< K/s of a particle that carries the largest current; 0 = none
-  double contact_time = 0;      ///< m C/(kappa A/d) of a pair at 10 % overlap [s]
-  double motion_time = 0;       ///< sqrt(m/k) of the same pair, cold [s]
-  double largest_current = 0;   ///< A
+  // The fastest there is among pairs of two like each particle, and among particles.
+  double joule_rate = 0;       ///< K/s of a particle that carries the largest current; 0 = none
+  double contact_time = 0;     ///< m C/(kappa A/d) of a pair at 10 % overlap [s]
+  double motion_time = 0;      ///< sqrt(m/k) of a pair at 10 % overlap, cold [s]
+  double largest_current = 0;  ///< A
   PressForecast forecast;
 };
+
+/// What particle i and a pair of two like it do to the fastest exchange of heat.
+void add_heat_of(const Press& one, std::size_t i, PressFacts& facts) {
+  const auto& particles = one.particles;
+  const auto& model = one.model;
+  constexpr double strain = 0.1;
+  const double r = particles.radius[i], distance = 2 * r * (1 - strain);
+  const double capacity = dynamics::heat_capacity(model.thermal, particles, i);
+  const double conductivity = dynamics::value_of(particles.conductivity, i, model.thermal.conductivity);
+  if (conductivity > 0) {
+    const double time = capacity * distance / (conductivity * dynamics::pair_area(distance, r, r));
+    facts.contact_time = facts.contact_time > 0 ? std::min(facts.contact_time, time) : time;
+  }
+  const double current = facts.largest_current;
+  facts.joule_rate = std::max(
+      facts.joule_rate,
+      model.electric.absorption * current * current * 4.0 / 3.0 * std::numbers::pi * r * r * r /
+          dynamics::value_of(particles.electric_conductivity, i, model.electric.conductivity) / capacity);
+}
 
 PressFacts facts_of(const Press& one) {
   PressFacts facts;
   const auto& particles = one.particles;
   const auto& model = one.model;
-  double largest = 0;
-  std::size_t small = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double r = particles.radius[i];
     facts.volume += 4.0 / 3.0 * std::numbers::pi * r * r * r;
     facts.mass += particles.mass[i];
-    if (r < particles.radius[small]) small = i;
-    largest = std::max(largest, r);
   }
   const Vec3 size = model.box.max - model.box.min;
   facts.fraction_start = facts.volume / (size.x * size.y * size.z);
   facts.fraction_pressed =
       facts.volume / (size.x * size.y * (model.schedule.lowest_wall() - model.box.min.z));
 
-  const double r = particles.radius[small], mass = particles.mass[small];
-  constexpr double strain = 0.1;
-  const double distance = 2 * r * (1 - strain), area = dynamics::pair_area(distance, r, r);
-  const double capacity = mass * model.thermal.specific_heat;
-  if (model.thermal.conductivity > 0)
-    facts.contact_time = capacity * distance / (model.thermal.conductivity * area);
-  facts.motion_time = pair_oscillation(one);
-  facts.forecast = forecast_press(one);
-  if (model.electric.model == dynamics::CurrentModel::averaging) {
+  if (model.electric.model == dynamics::CurrentModel::averaging)
     for (const auto& phase : model.schedule.phases())
       for (const auto& current : {phase.lower, phase.upper})
         facts.largest_current = std::max(facts.largest_current, std::abs(current.value_or(0.0)));
-    facts.joule_rate = model.electric.absorption * facts.largest_current * facts.largest_current * 4.0 / 3.0 *
-                       std::numbers::pi * r * r * r / model.electric.conductivity / capacity;
-  }
+  for (std::size_t i = 0; i < particles.size(); ++i) add_heat_of(one, i, facts);
+  facts.motion_time = pair_oscillation(one);
+  facts.forecast = forecast_press(one);
   return facts;
 }
 

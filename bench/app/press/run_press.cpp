@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 
 #include "bench/app/cli/command_entry.hpp"
 #include "bench/app/press/export_packing.hpp"
@@ -104,15 +106,26 @@ class Snapshots {
     remove_stale_file(folder + "/probes.csv");  // of a network that does not move
     const auto past = std::upper_bound(one.output_times.begin(), one.output_times.end(), begin);
     remove_snapshots(folder, anew ? 0 : static_cast<std::size_t>(past - one.output_times.begin()));
+    if (!anew) earlier_ = static_cast<std::size_t>(past - one.output_times.begin());
     if (command.vtk && anew) {
       vtk_.emplace(folder);
-    } else if (command.vtk) {
-      vtk_.emplace(folder, begin);
+    } else if (command.vtk) {  // frames of the instant itself stay, too
+      vtk_.emplace(folder, std::nextafter(begin, std::numeric_limits<double>::infinity()));
+      goes_on_ = has_vtk_series(folder);
     } else if (anew) {
       remove_vtk_series(folder);
     } else if (!command.common.quiet && has_vtk_series(folder)) {
       note(fmt::format("{}/vtk holds the fields of an earlier run; give --vtk to go on with them", folder));
     }
+  }
+  /// What a run begins with: the snapshots that are kept, and the first frame where there is none.
+  void begin(const Motion& motion, SinteringResult& result) {
+    for (std::size_t k = 0; k < earlier_; ++k) {
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(folder_ + "/" + snapshot_name(k), ignored))
+        name(k, one_.output_times[k], result);
+    }
+    if (!goes_on_) add_frame(motion);
   }
   /// For ParaView, where the motion is now.
   void add_frame(const Motion& motion) {
@@ -121,10 +134,8 @@ class Snapshots {
                 sintering_contacts(one_, motion.network(), motion.state()));
   }
   void write(std::size_t number, const Motion& motion, SinteringResult& result) const {
-    const double t = motion.state().time;
     write_file_atomically(folder_ + "/" + snapshot_name(number), particles_csv(one_, motion.state()));
-    result.files.push_back(snapshot_name(number));
-    result.snapshots.push_back({snapshot_name(number), t, one_.model.schedule.at(t).wall_height(t)});
+    name(number, motion.state().time, result);
   }
   /// The last state reached, in final.csv, belongs to the series unless it is there already.
   void finish(const Motion& motion, SinteringResult& result) const {
@@ -136,9 +147,16 @@ class Snapshots {
   }
 
  private:
+  void name(std::size_t number, double t, SinteringResult& result) const {
+    result.files.push_back(snapshot_name(number));
+    result.snapshots.push_back({snapshot_name(number), t, one_.model.schedule.at(t).wall_height(t)});
+  }
+
   const Press& one_;
   std::string folder_;
   std::optional<VtkFrames> vtk_;
+  std::size_t earlier_ = 0;  // snapshots of before a restart
+  bool goes_on_ = false;     // with frames of before it
 };
 
 /// Phases whose electrified walls found nobody to carry their current.
@@ -166,7 +184,7 @@ SinteringResult integrate(const Press& one, const RunCommand& command, const std
   Snapshots snapshots(one, command, folder,
                       motion.state().time);  // after a bad checkpoint nothing is touched
   checkpoints.started_at(motion.state().time);
-  snapshots.add_frame(motion);
+  snapshots.begin(motion, result);
   if (command.limits.say)
     dog.look_after(Watchdog::first_look, [&, from = motion.state().time](double seconds) {
       const double part = std::max(0.0, reached.load() - from) / (one.t_end - from);
@@ -223,7 +241,8 @@ int run_into(const Press& one, const RunCommand& command, double cpu_setup, cons
   for (const char* name : {"history.csv", "history.svg", "final.csv", "run.json"})
     result.files.emplace_back(name);
   if (!command.export_packing.empty() && result.outcome.ok())
-    for (const auto& name : export_packing(command.export_packing, one, motion.network(), motion.state()))
+    for (const auto& name :
+         export_packing(command.export_packing, one, motion.network(), motion.state(), quiet))
       if (!quiet) note("packing in " + name);
   const std::string json = sintering_json(one, motion, result, command.common.threads);
   write_file_atomically(folder + "/run.json", json);

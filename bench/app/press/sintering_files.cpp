@@ -32,6 +32,17 @@ std::vector<HistoryRow> phase_ends(std::span<const HistoryRow> history) {
   return ends;
 }
 
+/// Whether all elastic energy must be back: nothing touches any more, and nothing did at the start.
+bool is_apart(const Press& one, const Motion& motion) {
+  const auto& network = motion.network();
+  if (!dynamics::conserves(one.model) || motion.history().front().contacts > 0) return false;
+  if (network.contacts().touching() > 0 || !network.walls().empty()) return false;
+  std::vector<dynamics::WallContact> walls;
+  dynamics::find_wall_contacts(one.model.box, one.model.box.max.z, one.state.position, one.particles.radius,
+                               walls);
+  return walls.empty();
+}
+
 MotionRecord::Parts parts_of(const dynamics::PartTimes& times, double total) {
   const double known = times.contacts + times.forces + times.heat + times.current;
   return {times.contacts, times.forces, times.heat, times.current, std::max(total - known, 0.0)};
@@ -171,7 +182,7 @@ std::string sintering_summary(const Press& one, const Motion& motion, const Sint
   text += fmt::format(" contacts {:.0f} % forces {:.0f} % heat {:.0f} % current {:.0f} % rest {:.0f} %",
                       percent(parts.contacts), percent(parts.forces), percent(parts.heat),
                       percent(parts.current), percent(parts.rest));
-  const auto errors = dynamics::balance_errors(motion.history());
+  const auto errors = dynamics::balance_errors(motion.history(), is_apart(one, motion));
   text += fmt::format("\nenergy balance of what was turned over: motion closes to {:.1e}, heat to {:.1e}",
                       errors.mechanical, errors.thermal);
   return text + fmt::format("\n{}\n", folder);

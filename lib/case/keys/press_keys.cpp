@@ -25,8 +25,10 @@ void list_stepping(KeyList& keys) {
   keys.text("control", "of the step", {"steady", "paper"}).fallback = "steady";
   keys.number("phi", part, "", "0 explicit, 1 implicit, 0.5 second order").fallback = "0.5";
   keys.integer("iterations", {.min = 2, .max = 1000}, "wanted in a step").fallback = "10";
-  keys.number("tolerance_position", positive_number, "", "of the iteration").fallback = "5e-4";
-  keys.number("tolerance_temperature", positive_number, "", "of the iteration").fallback = "5e-4";
+  keys.number("tolerance_position", positive_number, "", "of the iteration, not of the result").fallback =
+      "5e-4";
+  keys.number("tolerance_temperature", positive_number, "", "of the iteration, not of the result").fallback =
+      "5e-4";
   keys.number("power", positive_number, "", "p of the contraction h^p").fallback = "2";
   keys.number("first_step", positive_number, "s", "no less than smallest_step").fallback = "0.005";
   keys.number("largest_step", positive_number, "s", "no less than smallest_step").fallback = "0.005";
