@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "integrators/press/steppers.hpp"
 
@@ -31,12 +32,15 @@ void PlainStepper::begin(const State& state) {
   limit_ = std::min(limit_, fraction_ * network_.heat_limit());
 }
 
-/// A step from free flight into a contact begins without a limit: it keeps to that of its end, too. Returns
-/// the factor that a step of h must be shortened by for that.
+/// A step from free flight into a contact begins without a limit: it keeps to that of its end, too, but for
+/// what contacts that stand grow stiffer in a step. Returns the factor that a step of h must be shortened by
+/// for that.
 double PlainStepper::shortened(double h) {
+  constexpr double slack = 1.25;
   wall_force_end_ = network_.forces(velocity_, temperature_, force_end_, PairDetail::whole);
   evaluated_ = network_.instant();
-  return std::min(1.0, fraction_ * network_.explicit_limit(temperature_) / h);
+  const double longest = fraction_ * network_.explicit_limit(temperature_);
+  return h > slack * longest ? longest / h : 1.0;
 }
 
 Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
@@ -68,6 +72,7 @@ Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {
   if (!attempt.failure.ok()) return attempt;
   attempt.factor = shortened(h);
   if (attempt.factor < 1) return attempt;
+  attempt.factor = std::numeric_limits<double>::infinity();  // as far as the limits let it grow
   std::swap(state.position, position_);
   std::swap(state.velocity, velocity_);
   std::swap(state.temperature, temperature_);

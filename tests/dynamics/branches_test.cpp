@@ -50,6 +50,49 @@ TEST(Eq50, PotentialsObeyKirchhoffWhereTheFieldLiesBelowTheReference) {
     }
 }
 
+TEST(Eq50, PotentialsOfBedsObeyKirchhoff) {
+  Model model = quiet_model(0.2);
+  model.electric.model = CurrentModel::potential;
+  model.electric.hold_temperature = false;
+  Phase phase = model.schedule.phases().front();
+  phase.lower = 0;
+  phase.upper = 1;
+  model.schedule = Schedule({phase});
+  const Cloud cloud = random_cloud(30, 0.19, 5);
+  for (const double slope : {1.0, 10.0, 100.0})
+    for (const double reference : {1.0, 2.5, 4.0}) {
+      model.electric.saturation = {.field = 3, .field_slope = slope, .reference_field = reference};
+      MovingNetwork network(model, cloud.particles);
+      State state = cloud.state;
+      network.resume(state, model.schedule.at(0));
+      network.settle(state, model.schedule.at(0));
+      ASSERT_GT(network.current().connected(), 20U);
+      const auto& v = state.electric;
+      std::vector<double> into(v.size(), 0);
+      double largest = 0;
+      const auto flow = [&](double drop, double distance, double area) {
+        const double field = drop / distance;
+        const double current = model.electric.saturation.factor(300, std::abs(field)) * area * field;
+        largest = std::max(largest, std::abs(current));
+        return current;
+      };
+      for (const auto& contact : network.placement().contacts) {
+        const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
+        const double current = flow(v[j] - v[i], contact.distance, contact.area);
+        into[i] += current;
+        into[j] -= current;
+      }
+      for (const auto& contact : network.walls()) {
+        if (contact.wall != lower && contact.wall != upper) continue;
+        const auto i = static_cast<std::size_t>(contact.particle);
+        into[i] += flow((contact.wall == upper ? 1 : 0) - v[i], contact.distance, contact.area);
+      }
+      for (const double sum : into)
+        EXPECT_NEAR(sum, 0, 1e-6 * largest) << "tolerance 1e-10 times slopes and contrasts of areas; "
+                                            << slope << " m/V, " << reference << " V/m";
+    }
+}
+
 /// No solution: a law without a fixed point of its turns, whatever part of them is taken.
 TEST(Eq50, WhatDoesNotSettleIsAFailureThatKeepsTheState) {
   BetweenWalls one;

@@ -101,15 +101,35 @@ TEST(MotionLimit, HoldsAtTheEndOfAStepToo) {
   cloud.add({-0.0825, 0, 0}, {10, 0, 0});
   cloud.add({0.0825, 0, 0}, {-10, 0, 0});
   const double energy = kinetic_energy(cloud.particles, cloud.state);
-  // Symplectic at half of the limit; phi = 0 grows like exp(pi h omega) in a contact, h omega <= 0.2.
+  // Of the semi-implicit scheme kinetic energy swings by h omega/2 <= 1/2 in a contact; phi = 0 grows like
+  // exp(pi h omega) in a contact, h omega <= 0.2.
   for (const auto& [settings, growth] :
-       {std::pair{explicit_steps(), 1.1}, std::pair{leaning(0), std::exp(0.2 * std::numbers::pi)}}) {
+       {std::pair{explicit_steps(), 1.5}, std::pair{leaning(0), std::exp(0.2 * std::numbers::pi)}}) {
     double largest = 0;
     const auto history = history_of(model, cloud, settings, 0.006);
     for (const auto& row : history) largest = std::max(largest, row.kinetic_energy);
     EXPECT_LT(largest, growth * energy) << "it was 31 times";
-    EXPECT_GT(history.back().kinetic_energy, 0.9 * energy) << "nothing is lost either";
+    EXPECT_GT(history.back().kinetic_energy, energy / 1.5) << "nothing is lost either";
   }
+}
+
+/// A step that a collision cut short grows again once it is over.
+TEST(MotionLimit, StepsRecover) {
+  Model model = quiet_model(0.75);
+  model.contact.stiffness = model.wall.stiffness = 1e9;
+  Cloud cloud;
+  cloud.add({-0.0825, 0, 0}, {10, 0, 0});
+  cloud.add({0.0825, 0, 0}, {-10, 0, 0});
+  SteppingSettings settings = explicit_steps();
+  settings.largest_step = settings.first_step = 1e-3;
+  Motion motion(model, cloud.particles, settings);
+  motion.start(cloud.state);
+  ASSERT_TRUE(motion.advance(0.03).ok());
+  EXPECT_GT(motion.rejected(), 0U) << "the first contact came out of free flight";
+  for (const auto& row : motion.history())
+    if (row.time > 0.015 && row.time < 0.025) {
+      EXPECT_EQ(row.step, 1e-3) << "in free flight again";
+    }
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ class Snapshots {
     for (std::size_t k = 0; k < earlier_; ++k) {
       std::error_code ignored;
       if (std::filesystem::is_regular_file(folder_ + "/" + snapshot_name(k), ignored))
-        name(k, one_.output_times[k], result);
+        list(k, one_.output_times[k], result);
     }
     if (!goes_on_) add_frame(motion);
   }
@@ -135,7 +135,7 @@ class Snapshots {
   }
   void write(std::size_t number, const Motion& motion, SinteringResult& result) const {
     write_file_atomically(folder_ + "/" + snapshot_name(number), particles_csv(one_, motion.state()));
-    name(number, motion.state().time, result);
+    list(number, motion.state().time, result);
   }
   /// The last state reached, in final.csv, belongs to the series unless it is there already.
   void finish(const Motion& motion, SinteringResult& result) const {
@@ -147,7 +147,7 @@ class Snapshots {
   }
 
  private:
-  void name(std::size_t number, double t, SinteringResult& result) const {
+  void list(std::size_t number, double t, SinteringResult& result) const {
     result.files.push_back(snapshot_name(number));
     result.snapshots.push_back({snapshot_name(number), t, one_.model.schedule.at(t).wall_height(t)});
   }
