@@ -59,9 +59,9 @@ TEST(Eq50, PotentialsOfBedsObeyKirchhoff) {
   phase.upper = 1;
   model.schedule = Schedule({phase});
   const Cloud cloud = random_cloud(30, 0.19, 5);
-  for (const double slope : {1.0, 10.0, 100.0})
-    for (const double reference : {1.0, 2.5, 4.0}) {
-      model.electric.saturation = {.field = 3, .field_slope = slope, .reference_field = reference};
+  for (const double slope : {3.0, 10.0, 30.0, 100.0})
+    for (const double reference : {1.0, 2.5, 4.0, 6.0}) {
+      model.electric.saturation = {.field = 20, .field_slope = slope, .reference_field = reference};
       MovingNetwork network(model, cloud.particles);
       State state = cloud.state;
       network.resume(state, model.schedule.at(0));
