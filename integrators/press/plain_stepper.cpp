@@ -36,11 +36,10 @@ void PlainStepper::begin(const State& state) {
 /// what contacts that stand grow stiffer in a step. Returns the factor that a step of h must be shortened by
 /// for that.
 double PlainStepper::shortened(double h) {
-  constexpr double slack = 1.25;
   wall_force_end_ = network_.forces(velocity_, temperature_, force_end_, PairDetail::whole);
   evaluated_ = network_.instant();
   const double longest = fraction_ * network_.explicit_limit(temperature_);
-  return h > slack * longest ? longest / h : 1.0;
+  return h > stiffening * longest ? longest / h : 1.0;
 }
 
 Attempt PlainStepper::attempt(State& state, const Phase& phase, double h) {

@@ -181,8 +181,9 @@ Attempt StaggeredStepper::attempt(State& state, const Phase& phase, double h) {
     attempt.iterations = k;
     if (leans_back()) {  // it may have begun in free flight and end in a contact that is too stiff for it
       (void)network_.forces(velocity_, temperature_, force_, PairDetail::whole);
-      attempt.factor = stable_limit(temperature_) / h;
-      if (attempt.factor < 1) return attempt;
+      const double longest = stable_limit(temperature_);
+      attempt.factor = longest / h;
+      if (h > stiffening * longest) return attempt;
     }
     attempt.converged = true;
     // No rate can be told from one iteration: the step was easy and may grow. As far as its bounds allow, it

@@ -12,6 +12,10 @@
 
 namespace superstep::dynamics {
 
+/// How far a step may exceed the limit at its end: what contacts that stand grow stiffer in it would else
+/// have every other step made again.
+inline constexpr double stiffening = 1.25;
+
 /// phi rule for positions, velocities and temperatures by staggered fixed-point iteration.
 ///   r = r_L + h (phi v + (1 - phi) v_L),  v = v_L + h/m (phi F + (1 - phi) F_L),
 ///   T = T_L + h (phi q + (1 - phi) q_L)

@@ -74,7 +74,7 @@ TEST(HeatLimit, IsThatOfTheFastestParticle) {
 /// phi < 0.5 adds energy to what oscillates; damping has to take it.
 TEST(MotionLimit, DampedParticlesComeToRest) {
   Model model = quiet_model();
-  model.wall.damping = 0.3;
+  model.contact.damping = model.wall.damping = 0.3;
   Cloud cloud;
   cloud.add({0, 0, -1 + 0.06});  // pressed in by a fifth of its radius
   for (const double phi : {0.0, 0.25, 0.4}) {
@@ -90,6 +90,9 @@ TEST(MotionLimit, DampedParticlesComeToRest) {
   for (const double phi : {0.0, 0.25, 0.4}) {
     const auto history = history_of(model, cloud, leaning(phi), 5);
     EXPECT_LT(history.back().kinetic_energy, 1e-6) << "it lies still in the end, phi = " << phi;
+    std::int64_t rejections = 0;
+    for (const auto& row : history) rejections += row.rejections;
+    EXPECT_LT(rejections, static_cast<std::int64_t>(history.size() / 10)) << "contacts stiffen all the time";
   }
 }
 
