@@ -156,9 +156,10 @@ class LegacyReader {
       of_points_ = key == "POINT_DATA";
       tuples_ = count_of(walker_, words_, 1);
       if (of_points_ && 3 * tuples_ != points_.size())
-        walker_.fail(fmt::format("POINT_DATA announces {} points, and POINTS has {}; the file is damaged: "
-                                 "write it again",
-                                 tuples_, points_.size() / 3));
+        walker_.fail(
+            fmt::format("POINT_DATA announces {} points, and POINTS has {}; the file is damaged: "
+                        "write it again",
+                        tuples_, points_.size() / 3));
     } else if (key == "METADATA") {
       metadata();
     } else if (key == "SCALARS") {
