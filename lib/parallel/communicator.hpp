@@ -35,6 +35,8 @@ class Exchange {
   /// until `end`.
   virtual void begin(const double* owned, double* halo) = 0;
   virtual void end() = 0;
+  /// Between the two, now and then: what is on its way gets on. By the thread that began.
+  virtual void progress() {}
   /// What one round sends.
   [[nodiscard]] virtual std::uint64_t messages() const noexcept = 0;
   [[nodiscard]] virtual std::uint64_t bytes() const noexcept = 0;

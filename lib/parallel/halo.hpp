@@ -23,6 +23,7 @@ class Halo {
   /// Between the two other work goes on; nothing may read `values` [size()].
   void begin(const double* owned, double* values);
   void end() { exchange_->end(); }
+  void progress() { exchange_->progress(); }
   /// Both at once.
   void fetch(const double* owned, double* values) {
     begin(owned, values);

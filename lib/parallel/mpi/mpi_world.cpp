@@ -78,6 +78,13 @@ class StarForest final : public Exchange {
     if (!requests_.empty()) wait_for(requests_);
     for (std::size_t k = 0; k < received_.size(); ++k) halo_[place_[k]] = received_[k];
   }
+  /// MPI moves what is large only while it is called.
+  void progress() override {
+    int done = 0;
+    if (!requests_.empty())
+      check(MPI_Testall(static_cast<int>(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE),
+            "MPI_Testall");
+  }
   [[nodiscard]] std::uint64_t messages() const noexcept override { return sends_; }
   [[nodiscard]] std::uint64_t bytes() const noexcept override { return sent_.size() * sizeof(double); }
 

@@ -41,14 +41,14 @@ std::size_t FieldOperator::chain_depth() const noexcept {
 /// Stages that share a halo, by what they cost in rows swept: others' rows, half of depth - 1 reaches a cut
 /// in the mean; a wait for others, once; and memory, where the rows leave the cache between stages.
 std::size_t FieldOperator::best_depth(std::size_t reach, std::size_t cuts) const noexcept {
-  constexpr double wait = 1e4, traffic = 0.5;  // rows; of the time of a sweep out of memory. Measured.
+  constexpr double wait = 6e3, traffic = 0.5;  // rows; of the time of a sweep out of memory. Measured.
   const std::size_t slices = size() / SlicedRows::lanes;
   const bool leaves_cache = chain_bytes() > cache_bytes_;
   const std::size_t most = std::min({longest_chain, slices / std::max<std::size_t>(1, cuts * reach),
                                      leaves_cache && slices > 0 ? depth_in_cache() : longest_chain});
   std::size_t best = 1;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t depth = 1; depth <= most; ++depth) {
+  for (std::size_t depth = 1; depth <= most; depth *= 2) {  // as chains are made of
     const auto d = static_cast<double>(depth);
     const double own = static_cast<double>(size()) * (leaves_cache ? 1 - traffic + traffic / d : 1.0),
                  others = (d - 1) / 2 * static_cast<double>(cuts * reach * SlicedRows::lanes);
@@ -118,7 +118,9 @@ void FieldOperator::pass_between_cuts(std::span<ChainedStage> stages, std::size_
     fused_sweep(rate_, stages[pass].stage, first, last, stages[pass].out);
     finish(pass, first * SlicedRows::lanes, std::min(last * SlicedRows::lanes, size()));
   };
-  skewed_passes(chain_blocks(), stages.size(), work, [](std::size_t, std::size_t, std::size_t) {});
+  skewed_passes(chain_blocks(), stages.size(), work, [this](std::size_t pass, std::size_t, std::size_t) {
+    if (pass == 0) flanks_->progress();
+  });
   flanks_->end();
   for (std::size_t pass = 0; pass < stages.size(); ++pass)
     flanks_->step(stages, pass, drive,

@@ -211,6 +211,11 @@ void Flanks::begin(std::span<const ChainedStage> stages, std::span<const double>
   if (!drive.empty()) fetch(drive.data());
 }
 
+void Flanks::progress() {
+  for (std::size_t k = 0; k < used_; ++k)
+    if (copies_[k].is_awaited) copies_[k].halo->progress();
+}
+
 void Flanks::end() {
   const std::size_t beyond = depth_ * reach_ * lanes;
   for (std::size_t k = 0; k < used_; ++k) {

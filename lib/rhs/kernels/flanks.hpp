@@ -38,6 +38,8 @@ class Flanks {
   ///   drive  as of FieldOperator::chain
   void begin(std::span<const ChainedStage> stages, std::span<const double> drive);
   void end();
+  /// Between the two, now and then; by the thread that began.
+  void progress();
   /// Stage number k beside the cuts, once `inner_slices` of all stages are stepped; `stages` as in `begin`.
   /// finish(first, last) does what else is to be done to own rows.
   template <class Finish>
