@@ -121,8 +121,9 @@ void expect_same_bits(const Graph& graph, bool driven) {
           FieldOperator field(std::move(part.network), threads == 1);
           field.assume_cache(cache);
           EXPECT_EQ(wrong_entries(alone, field, partition), 0U);
-          if (threads == 1 || cache > small_cache)                   // else too few rows stay in the cache
+          if (threads == 1 || cache > small_cache) {                 // else too few rows stay in the cache
             EXPECT_EQ(field.stages_of_a_halo() > 1, processes < 4);  // more have too few rows each
+          }
         });
       }
 }

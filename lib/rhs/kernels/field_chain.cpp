@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rhs/kernels/cuts/flanks.hpp"
 #include "rhs/kernels/field_operator.hpp"
-#include "rhs/kernels/flanks.hpp"
 
 namespace superstep {
 namespace {
@@ -58,6 +58,10 @@ std::size_t FieldOperator::best_depth(std::size_t reach, std::size_t cuts) const
     }
   }
   return best;
+}
+
+std::size_t FieldOperator::stages_of_a_halo() const noexcept {
+  return flanks_ ? flanks_->depth() : 1;
 }
 
 void FieldOperator::find_flanks() {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "network/network.hpp"
-#include "rhs/kernels/boundary_rows.hpp"
+#include "rhs/kernels/cuts/boundary_rows.hpp"
 #include "rhs/kernels/skewed_passes.hpp"
 #include "rhs/kernels/sliced_rows.hpp"
 #include "rhs/kernels/sweep.hpp"

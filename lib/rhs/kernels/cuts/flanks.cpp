@@ -1,77 +1,10 @@
-#include "rhs/kernels/flanks.hpp"
+#include "rhs/kernels/cuts/flanks.hpp"
 
 #include <algorithm>
 
-#include "network/part.hpp"
+#include "rhs/kernels/cuts/joined_rows.hpp"
 
 namespace superstep {
-namespace {
-
-constexpr std::size_t lanes = SlicedRows::lanes;
-
-std::vector<std::byte> packed(const NetworkPart& part) {
-  Packer packer;
-  pack(part, packer);
-  return {packer.bytes().begin(), packer.bytes().end()};
-}
-
-/// Gives a neighbour its rows and takes its own. The lower of the two sends first, and pairs with an even
-/// lower one go before the others, so that nobody waits for somebody who waits.
-NetworkPart swap_with(Communicator& among, int neighbour, const NetworkPart& given) {
-  const auto bytes = packed(given);
-  const bool first = among.rank() < neighbour;
-  if (first) among.send(neighbour, bytes);
-  const auto answer = among.receive(neighbour);
-  if (!first) among.send(neighbour, bytes);
-  NetworkPart taken;
-  Unpacker unpacker(answer);
-  unpack(unpacker, taken);
-  return taken;
-}
-
-/// Appends rows [first, last) of a part whose first row stands at `place`, empty rows before them.
-void append(const Network& part, std::size_t place, std::size_t first, std::size_t last, Network& out) {
-  out.row_begin.resize(place + first + 1, out.row_begin.back());
-  for (std::size_t row = first; row < last; ++row) {
-    for (auto k = at(part.row_begin[row]); k < at(part.row_begin[row + 1]); ++k) {
-      out.column.push_back(part.column[k] + static_cast<std::int32_t>(place));
-      out.conductance.push_back(part.conductance[k]);
-    }
-    out.row_begin.push_back(static_cast<std::int64_t>(out.column.size()));
-  }
-  const auto is_taken = [&](std::int32_t row) { return at(row) >= first && at(row) < last; };
-  const auto moved = [&](std::int32_t row) { return row + static_cast<std::int32_t>(place); };
-  for (const auto& edge : part.ghost_edges) {
-    if (!is_taken(edge.row)) continue;
-    out.ghost_edges.push_back(
-        {moved(edge.row), static_cast<std::int32_t>(out.ghost_value.size()), edge.conductance});
-    out.ghost_value.push_back(part.ghost_value[at(edge.ghost)]);
-  }
-  for (auto exchange : part.radiation) {
-    if (!is_taken(exchange.node)) continue;
-    exchange.node = moved(exchange.node);
-    out.radiation.push_back(exchange);
-  }
-  out.source.resize(out.row_begin.size() - 1, 0.0);
-  std::copy(part.source.begin() + static_cast<std::ptrdiff_t>(first),
-            part.source.begin() + static_cast<std::ptrdiff_t>(last),
-            out.source.end() - static_cast<std::ptrdiff_t>(last - first));
-}
-
-/// Behind the last row that was appended: empty rows up to so many, and what goes without saying.
-void complete(std::size_t rows, Network& out) {
-  out.row_begin.resize(rows + 1, out.row_begin.back());
-  out.source.resize(rows, 0.0);
-  out.capacity.assign(rows, 1.0);
-  out.ghost_node.assign(out.ghost_value.size(), 0);
-  out.ghost_table.assign(out.ghost_value.size(), -1);
-}
-
-}  // namespace
-
-std::size_t FieldOperator::stages_of_a_halo() const noexcept {
-  return flanks_ ? flanks_->depth() : 1;
-}
 
 /// Own rows [first, last) as a network of capacities 1, so that its conductances are rates; columns and rows
 /// count from `first`.
@@ -127,17 +60,18 @@ Flanks::Flanks(const FieldOperator& field, std::size_t reach, std::size_t depth)
   const auto with_lower = [&] {
     if (partition.begin() == 0) return;
     add_side(true, field.rates_of_rows(0, beside),
-             swap_with(among, among.rank() - 1, field.rates_of_rows(0, beyond)));
+             swap_rows(among, among.rank() - 1, field.rates_of_rows(0, beyond)));
     for (std::size_t k = beyond; k > 0; --k)
       rows_beyond_.push_back(partition.begin() - static_cast<std::int64_t>(k));
   };
   const auto with_upper = [&] {
     if (partition.end() == partition.rows()) return;
     add_side(false, field.rates_of_rows(n - beside, n),
-             swap_with(among, among.rank() + 1, field.rates_of_rows(n - beyond, n)));
+             swap_rows(among, among.rank() + 1, field.rates_of_rows(n - beyond, n)));
     for (std::size_t k = 0; k < beyond; ++k)
       rows_beyond_.push_back(partition.end() + static_cast<std::int64_t>(k));
   };
+  // Pairs with an even lower process go first, so that nobody waits for somebody who waits.
   if (among.rank() % 2 == 0) {
     with_upper();
     with_lower();
@@ -149,19 +83,16 @@ Flanks::Flanks(const FieldOperator& field, std::size_t reach, std::size_t depth)
   std::sort(rows_beyond_.begin(), rows_beyond_.end());
 }
 
-void Flanks::add_side(bool left, NetworkPart own, NetworkPart beyond) {
+void Flanks::add_side(bool left, const NetworkPart& own, const NetworkPart& beyond) {
   const std::size_t own_rows = 2 * reach_ * lanes, beyond_rows = depth_ * reach_ * lanes,
                     stepped = (depth_ - 1) * reach_ * lanes;
-  Network rows;
-  rows.row_begin.push_back(0);
-  if (left) {
-    append(beyond.network, 0, beyond_rows - stepped, beyond_rows, rows);
-    append(own.network, beyond_rows, 0, own.network.source.size(), rows);
-  } else {
-    append(own.network, own_rows - own.network.source.size(), 0, own.network.source.size(), rows);
-    append(beyond.network, own_rows, 0, stepped, rows);
-  }
-  complete(own_rows + beyond_rows, rows);
+  const std::size_t beside = own.network.source.size();
+  const std::array<RowsOfPart, 2> parts =
+      left ? std::array<RowsOfPart, 2>{{{&beyond.network, 0, beyond_rows - stepped, beyond_rows},
+                                        {&own.network, beyond_rows, 0, beside}}}
+           : std::array<RowsOfPart, 2>{
+                 {{&own.network, own_rows - beside, 0, beside}, {&beyond.network, own_rows, 0, stepped}}};
+  Network rows = joined_rows(parts, own_rows + beyond_rows);
   sides_.push_back({.rows = std::make_unique<FieldOperator>(std::move(rows), false),
                     .left = left,
                     .own_first = left ? depth_ * reach_ : 0,

@@ -1,4 +1,4 @@
-#include "rhs/kernels/boundary_rows.hpp"
+#include "rhs/kernels/cuts/boundary_rows.hpp"
 
 #include "core/index.hpp"
 #include "rhs/kernels/sweep.hpp"

@@ -65,7 +65,7 @@ class Flanks {
     std::array<std::vector<double>, 2> at_side;
   };
 
-  void add_side(bool left, NetworkPart own, NetworkPart beyond);
+  void add_side(bool left, const NetworkPart& own, const NetworkPart& beyond);
   [[nodiscard]] Copy& copy_of(const double* own);
   void fetch(const double* own);
   [[nodiscard]] const double* at_side(const double* own, std::size_t side) {
