@@ -55,7 +55,8 @@ void add_common(CLI::App& app, Arguments& values) {
   app.add_flag("--quiet", values.quiet, "no progress, notes or warnings on stderr");
   app.add_flag("--json", values.json, "machine-readable output on stdout");
   app.add_option("--block-rows", values.block_rows,
-                 "rows that processes share out together, a multiple of 8 (default 32768); see lib/parallel")
+                 "rows that processes share out together, a multiple of 8 (default 32768, or 8192 for fields "
+                 "of 32769 to 524287 rows); see lib/parallel")
       ->type_name("N");
   app.add_option("--color", values.color, "colours on stdout: auto, always or never (default auto)")
       ->type_name("WHEN");

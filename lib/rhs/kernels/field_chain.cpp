@@ -90,8 +90,11 @@ void FieldOperator::chain(std::span<ChainedStage> stages, bool with_inflow, std:
   const bool shares = may_share && flanks_;
   const std::size_t depth = shares ? flanks_->depth() : chain_depth();
   if (shares) flanks_->begin_chain();
-  for (std::size_t first = 0; first < stages.size(); first += depth) {
-    const auto together = stages.subspan(first, std::min(depth, stages.size() - first));
+  // In groups alike: a few stages that are left over would pass alone.
+  const std::size_t groups = (stages.size() + depth - 1) / depth;
+  const std::size_t share = groups > 0 ? (stages.size() + groups - 1) / groups : depth;
+  for (std::size_t first = 0; first < stages.size(); first += share) {
+    const auto together = stages.subspan(first, std::min(share, stages.size() - first));
     if (shares && together.size() > 1)
       pass_between_cuts(together, first, drive, observer);
     else
