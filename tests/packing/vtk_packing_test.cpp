@@ -235,6 +235,13 @@ TEST(VtkLegacy, DataBelongToOneListOfPoints) {
             std::string::npos);
 }
 
+TEST(VtkLegacy, AQuoteThatIsNotClosedIsRefused) {
+  const std::string head = "# vtk DataFile Version 3.0\nt\nASCII\n";
+  for (const char* rest :
+       {"\"D\n", "DATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOINT_DATA 1\nFIELD f 1\n\"r 1 1 float\n1\n"})
+    EXPECT_NE(refusal(head + rest).find("quote that is not closed"), std::string::npos) << rest;
+}
+
 TEST(VtkLegacy, NamesHaveTheirBlanksBack) {
   const auto packing = read_text(
       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n0 0 0 0 0 1\nPOINT_DATA 2\n"

@@ -126,7 +126,7 @@ class LegacyReader {
     while (!walker_.at_end()) {
       const std::string_view line = walker_.line();
       if (line.empty()) continue;
-      split_cells(line, ' ', words_);
+      split(line);
       section();
     }
     if (points_.empty())
@@ -135,6 +135,10 @@ class LegacyReader {
   }
 
  private:
+  void split(std::string_view line) {
+    if (!split_cells(line, ' ', words_))
+      walker_.fail(fmt::format("{} has a quote that is not closed; write the file again", in_quotes(line)));
+  }
   void section() {
     const std::string_view key = words_[0];
     if (key == "POINTS") {
@@ -223,7 +227,7 @@ class LegacyReader {
       std::string_view line;
       while (line.empty() && !walker_.at_end()) line = walker_.line();
       if (line.empty()) walker_.fail("ends inside FIELD; it is cut off: write it again");
-      split_cells(line, ' ', words_);
+      split(line);
       if (words_[0] == "METADATA") {
         section();
         --k;
