@@ -78,7 +78,16 @@ class ExponentialRosenbrock final : public OneStepMethod {
   void linearise(const Step& step, const StateVector& y);
   /// D at the stage in stage_.
   void difference_at(double t, double s, const StateVector& y, StateVector& out);
-  [[nodiscard]] Trial too_many(KrylovSpace& space, double h, int k, double allowed);
+  /// What the spaces of a step of h may be wrong by, in units of the tolerance.
+  [[nodiscard]] double precision(double h) const {
+    // What is left of a residual decays within the step: a space errs by a few hundredths of its bound.
+    constexpr double of_change = 1e-12;
+    return fixed_step_ > 0 ? of_change * h * of_slope_.length()
+                           : std::max(share() * part_of_run(h), rounding_);
+  }
+  ///   allowed  for the space's own term, of a step
+  template <class Allowed>
+  [[nodiscard]] Trial too_many(KrylovSpace& space, double h, int k, const Allowed& allowed);
 
   double rtol_, fixed_step_;
   Rhs* rhs_ = nullptr;
@@ -122,7 +131,8 @@ void ExponentialRosenbrock::difference_at(double t, double s, const StateVector&
                  [&](std::size_t i) { out[i] -= slope_[i] + inverse[i] * linear_[i] + drifted * drift_[i]; });
 }
 
-Trial ExponentialRosenbrock::too_many(KrylovSpace& space, double h, int k, double allowed) {
+template <class Allowed>
+Trial ExponentialRosenbrock::too_many(KrylovSpace& space, double h, int k, const Allowed& allowed) {
   cut_short_ = true;
   return {.solved = false,
           .factor = fixed_step_ > 0 ? 0 : space.longest(h, k, allowed) / h,
@@ -136,14 +146,14 @@ Trial ExponentialRosenbrock::attempt(const Step& step, StateVector& state, State
   const bool driven = !rhs_->traits().autonomous, linear = rhs_->traits().linear;
   linearise(step, state);
   for (auto* space : {&of_slope_, &of_drift_, &of_first_, &of_second_}) space->reset_products();
-  // What is left of a residual decays within the step: a space errs by a few hundredths of its bound.
-  constexpr double of_change = 1e-12;
-  const double precision =
-      fixed_step_ > 0 ? of_change * h * of_slope_.length() : std::max(share() * part_of_run(h), rounding_);
+  const auto of_slope = [this](double s) { return precision(s); };
+  const auto of_drift = [this](double s) { return precision(s) / s; };
+  const auto of_first = [this](double s) { return precision(s) / 8; };
+  const auto of_second = [this](double s) { return precision(s) / 12; };
 
   // next = u + h phi_1(hJ) f + h^2 phi_2(hJ) v, and the same at the middle in stage_.
-  if (!of_slope_.reach(h, 1, precision)) return too_many(of_slope_, h, 1, precision);
-  if (driven && !of_drift_.reach(h, 2, precision / h)) return too_many(of_drift_, h, 2, precision / h);
+  if (!of_slope_.reach(h, 1, of_slope(h))) return too_many(of_slope_, h, 1, of_slope);
+  if (driven && !of_drift_.reach(h, 2, of_drift(h))) return too_many(of_drift_, h, 2, of_drift);
   const std::array whole_f = {Term{h, 1, 1}}, half_f = {Term{half, 1, 1}};
   of_slope_.combine(whole_f, half_f, [&](std::size_t i, double at_end, double at_half) {
     next[i] = state[i] + at_end;
@@ -160,7 +170,7 @@ Trial ExponentialRosenbrock::attempt(const Step& step, StateVector& state, State
   if (!linear) {
     difference_at(t, half, state, first_);
     of_first_.begin([&](std::size_t i) { return first_[i]; });
-    if (!of_first_.reach(h, 3, precision / 8)) return too_many(of_first_, h, 3, precision / 8);
+    if (!of_first_.reach(h, 3, of_first(h))) return too_many(of_first_, h, 3, of_first);
     const std::array stage_part = {Term{h, 1, 1}}, result_part = {Term{h, 3, 8}};
     of_first_.combine(stage_part, result_part, [&](std::size_t i, double at_stage, double in_result) {
       stage_[i] = next[i] + at_stage;
@@ -169,7 +179,7 @@ Trial ExponentialRosenbrock::attempt(const Step& step, StateVector& state, State
     difference_at(t, h, state, second_);
     // 16 phi_3 D_2 - 2 phi_3 D_3 + 12 phi_4 (D_3 - 4 D_2) in terms of E = D_3 - 4 D_2, which is smaller.
     of_second_.begin([&](std::size_t i) { return second_[i] - 4 * first_[i]; });
-    if (!of_second_.reach(h, 4, precision / 12)) return too_many(of_second_, h, 4, precision / 12);
+    if (!of_second_.reach(h, 4, of_second(h))) return too_many(of_second_, h, 4, of_second);
     const std::array correction = {Term{h, 3, -2}, Term{h, 4, 12}};
     const std::array estimate = {Term{h, 4, 12}};
     of_second_.combine(correction, estimate, [&](std::size_t i, double in_result, double estimated) {

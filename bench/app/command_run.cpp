@@ -182,7 +182,8 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
       print_data(summary(scene, specs[k], run.result, run.check, folders[k]));
     all_ok = all_ok && run.result.outcome.ok();
   }
-  if (command.common.json) print_data(specs.size() == 1 ? documents.front() : json_list(documents));
+  if (command.common.json && !documents.empty())
+    print_data(specs.size() == 1 ? documents.front() : json_list(documents));
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
 }

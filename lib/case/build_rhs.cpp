@@ -104,7 +104,7 @@ double pair_step(const Scene& scene, const FieldScene& field) {
   std::vector<double> conductance(bare.begin(), bare.end()), temperature = graph.initial;
   for (std::size_t node = 0; node < temperature.size(); ++node)
     if (graph.is_fixed[node]) temperature[node] = graph.fixed_at(node, 0);
-  scale_conductances(field, temperature, conductance);
+  scale_conductances(field, conductivities_at(field, temperature), conductance);
   return min_pair_step(field.graph, field.roles, conductance);
 }
 

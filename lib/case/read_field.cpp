@@ -79,8 +79,7 @@ void warn_of_cold_start(FieldScene& scene) {
 void refuse_layers(TomlTable& table, const FieldMaterials& field) {
   constexpr const char* why =
       "a layer lies in series between two halves, and [contact] conductance is \"pipe\", which has none; "
-      "leave "
-      "the layer out, or take conductance = \"series\"";
+      "leave the layer out, or take conductance = \"series\"";
   if (const auto layer = table.find("grain_boundary")) layer->reject(why);
   if (!field.between.empty()) throw InputError(fmt::format("{}: {}", field.place, why));
 }

@@ -96,13 +96,25 @@ TEST(MotionLimit, DampedParticlesComeToRest) {
   }
 }
 
-/// Out of free flight, where nothing limits a step, into a contact a hundred times stiffer than usual.
-TEST(MotionLimit, HoldsAtTheEndOfAStepToo) {
+/// A hundred times stiffer than usual.
+Model stiff_model() {
   Model model = quiet_model(0.75);
   model.contact.stiffness = model.wall.stiffness = 1e9;
+  return model;
+}
+
+/// Two that fly at each other.
+Cloud fast_pair() {
   Cloud cloud;
   cloud.add({-0.0825, 0, 0}, {10, 0, 0});
   cloud.add({0.0825, 0, 0}, {-10, 0, 0});
+  return cloud;
+}
+
+/// Out of free flight, where nothing limits a step, into a stiff contact.
+TEST(MotionLimit, HoldsAtTheEndOfAStepToo) {
+  const Model model = stiff_model();
+  const Cloud cloud = fast_pair();
   const double energy = kinetic_energy(cloud.particles, cloud.state);
   // Of the semi-implicit scheme kinetic energy swings by h omega/2 <= 1/2 in a contact; phi = 0 grows like
   // exp(pi h omega) in a contact, h omega <= 0.2.
@@ -118,11 +130,8 @@ TEST(MotionLimit, HoldsAtTheEndOfAStepToo) {
 
 /// A step that a collision cut short grows again once it is over.
 TEST(MotionLimit, StepsRecover) {
-  Model model = quiet_model(0.75);
-  model.contact.stiffness = model.wall.stiffness = 1e9;
-  Cloud cloud;
-  cloud.add({-0.0825, 0, 0}, {10, 0, 0});
-  cloud.add({0.0825, 0, 0}, {-10, 0, 0});
+  const Model model = stiff_model();
+  const Cloud cloud = fast_pair();
   SteppingSettings settings = explicit_steps();
   settings.largest_step = settings.first_step = 1e-3;
   Motion motion(model, cloud.particles, settings);

@@ -53,13 +53,8 @@ void expect_chain_is_its_stages(const Graph& graph, bool driven) {
   constexpr std::size_t stages = 11;
   std::vector<double> f0(n);
   rhs(0, problem.initial, f0);
-  const auto stage_of = [&](std::size_t k, const double* y1, const double* y2) {
-    Stage stage{.y1 = y1, .a = 1.3, .d = h, .y2 = y2, .b = -0.4};
-    stage.y0 = problem.initial.data();
-    stage.c = 0.1;
-    stage.f0 = f0.data();
-    stage.e = -0.2 * h;
-    return k == 0 ? Stage{.y1 = y1, .a = 1, .d = h} : stage;
+  const auto stage = [&](std::size_t k, const double* y1, const double* y2) {
+    return test::stage_of(k, h, y1, y2, problem.initial.data(), f0.data());
   };
   std::vector<std::vector<double>> expected;
   std::vector<double> expected_inflow;
@@ -68,7 +63,7 @@ void expect_chain_is_its_stages(const Graph& graph, bool driven) {
     const auto& y1 = k == 0 ? problem.initial : expected[k - 1];
     const auto& y2 = k < 2 ? problem.initial : expected[k - 2];
     std::vector<double> out(n);
-    rhs.stage(t, stage_of(k, y1.data(), y2.data()), out);
+    rhs.stage(t, stage(k, y1.data(), y2.data()), out);
     expected_inflow.push_back(rhs.inflow(t, y1));
     expected.push_back(std::move(out));
   }
@@ -83,7 +78,7 @@ void expect_chain_is_its_stages(const Graph& graph, bool driven) {
       for (std::size_t k = 0; k < stages; ++k) {
         const double* y1 = k == 0 ? problem.initial.data() : buffer[(k + 1) % 2].data();
         const double* y2 = k < 2 ? problem.initial.data() : buffer[k % 2].data();
-        chain.push_back({0.1 * static_cast<double>(k), stage_of(k, y1, y2), buffer[k % 2].data()});
+        chain.push_back({0.1 * static_cast<double>(k), stage(k, y1, y2), buffer[k % 2].data()});
       }
       Copies copies(chain, n);
       const auto sweeps = rhs.counters().sweeps;

@@ -36,4 +36,10 @@ Graph band(bool radiating, bool changing) {
   return graph;
 }
 
+Stage stage_of(std::size_t k, double h, const double* y1, const double* y2, const double* y0,
+               const double* f0) {
+  if (k == 0) return {.y1 = y1, .a = 1, .d = h};
+  return {.y1 = y1, .a = 1.3, .d = h, .y2 = y2, .b = -0.4, .y0 = y0, .c = 0.1, .f0 = f0, .e = -0.2 * h};
+}
+
 }  // namespace superstep::test

@@ -92,16 +92,6 @@ bool KrylovSpace::reach(double h, int k, double allowed) {
   }
 }
 
-double KrylovSpace::longest(double h, int k, double allowed) {
-  constexpr double shrink = 0.9;
-  constexpr int most_trials = 60;
-  for (int trial = 0; trial < most_trials; ++trial) {
-    h *= shrink;
-    if (error(used_, h, k) <= allowed) break;
-  }
-  return h;
-}
-
 void KrylovSpace::find_coefficients(std::span<const Term> terms, std::vector<double>& out) {
   out.assign(used_, 0.0);
   if (used_ == 0) return;

@@ -25,8 +25,9 @@ class KrylovSpace {
   /// Takes or adds vectors until the error of h phi_k(hJ) b is below `allowed`, in units of the run's
   /// tolerance. False when there would be too many.
   [[nodiscard]] bool reach(double h, int k, double allowed);
-  /// Longest step below h for which the vectors at hand are enough.
-  [[nodiscard]] double longest(double h, int k, double allowed);
+  /// Longest step below h for which the vectors at hand are enough: allowed(step) is the error of it.
+  template <class Allowed>
+  [[nodiscard]] double longest(double h, int k, const Allowed& allowed);
 
   /// What a result is made of: the sum of factor * step * phi_k(step J) b.
   struct Term {
@@ -80,6 +81,17 @@ void KrylovSpace::begin(Entry b) {
     return v[i] * v[i];
   }));
   weigh_start();
+}
+
+template <class Allowed>
+double KrylovSpace::longest(double h, int k, const Allowed& allowed) {
+  constexpr double shrink = 0.9;
+  constexpr int most_trials = 60;
+  for (int trial = 0; trial < most_trials; ++trial) {
+    h *= shrink;
+    if (error(used_, h, k) <= allowed(h)) break;
+  }
+  return h;
 }
 
 template <class Add>

@@ -39,15 +39,23 @@ bool FieldAtState::has_sources() const noexcept {
   return false;
 }
 
-void scale_conductances(const FieldScene& field, std::span<const double> temperature,
+std::vector<double> conductivities_at(const FieldScene& field, std::span<const double> temperature) {
+  std::vector<double> out;
+  for (std::size_t node = 0; node < field.graph.nodes(); ++node) {
+    const ConductivityLaw& law = field.laws.of_node(static_cast<std::int32_t>(node));
+    out.push_back(temperature.empty() ? law.value : law.at(temperature[node]));
+  }
+  return out;
+}
+
+void scale_conductances(const FieldScene& field, std::span<const double> conductivity,
                         std::span<double> conductance) {
   const auto& laws = field.laws;
   with_mean(laws.mean, [&](auto mean) {
     for (std::size_t k = 0; k < conductance.size(); ++k) {
       const auto i = field.graph.i[k], j = field.graph.j[k];
-      const auto &own = laws.of_node(i), &other = laws.of_node(j);
-      conductance[k] *= mean.value(own.at(temperature[at(i)]), other.at(temperature[at(j)])) /
-                        mean.value(own.value, other.value);
+      conductance[k] *= mean.value(conductivity[at(i)], conductivity[at(j)]) /
+                        mean.value(laws.of_node(i).value, laws.of_node(j).value);
     }
   });
 }
@@ -59,17 +67,13 @@ FieldAtState field_at(const Scene& scene, const FieldScene& field, double t, std
   out.bare.assign(bare.begin(), bare.end());
   const auto& laws = field.laws;
   if (laws.of_material.empty()) return out;
-  for (std::size_t node = 0; node < field.graph.nodes(); ++node)
-    out.conductivity.push_back(laws.of_node(static_cast<std::int32_t>(node)).value);
   const bool varies = std::any_of(laws.of_material.begin(), laws.of_material.end(),
                                   [](const auto& law) { return law.varies(); });
   const auto temperature = varies ? temperatures_of(scene, t, state) : std::vector<double>{};
+  out.conductivity = conductivities_at(field, temperature);
   if (temperature.empty()) return out;
-
-  for (std::size_t node = 0; node < out.conductivity.size(); ++node)
-    out.conductivity[node] = laws.of_node(static_cast<std::int32_t>(node)).at(temperature[node]);
-  scale_conductances(field, temperature, out.graph.conductance);
-  scale_conductances(field, temperature, out.bare);
+  scale_conductances(field, out.conductivity, out.graph.conductance);
+  scale_conductances(field, out.conductivity, out.bare);
   const auto [coldest, hottest] = std::minmax_element(temperature.begin(), temperature.end());
   out.temperatures = *coldest == *hottest ? fmt::format("{:.6g} K", *coldest)
                                           : fmt::format("{:.6g} to {:.6g} K", *coldest, *hottest);

@@ -21,9 +21,11 @@ struct FieldAtState {
   [[nodiscard]] bool has_sources() const noexcept;
 };
 
-/// Conductances [edges] of a field as its laws make them at the nodes' temperatures, from those of the
-/// reference.
-void scale_conductances(const FieldScene& field, std::span<const double> temperature,
+/// Conductivities [nodes] at the nodes' temperatures; without these, at the laws' reference.
+[[nodiscard]] std::vector<double> conductivities_at(const FieldScene& field,
+                                                    std::span<const double> temperature);
+/// Makes conductances [edges] of the reference those of such conductivities.
+void scale_conductances(const FieldScene& field, std::span<const double> conductivity,
                         std::span<double> conductance);
 /// The field at (t, state). O(nodes + edges).
 [[nodiscard]] FieldAtState field_at(const Scene& scene, const FieldScene& field, double t,

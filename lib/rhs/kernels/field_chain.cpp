@@ -41,7 +41,7 @@ std::size_t FieldOperator::chain_depth() const noexcept {
 /// Stages that share a halo, by what they cost in rows swept: others' rows, half of depth - 1 reaches a cut
 /// in the mean; a wait for others, once; and memory, where the rows leave the cache between stages.
 std::size_t FieldOperator::best_depth(std::size_t reach, std::size_t cuts) const noexcept {
-  constexpr double wait = 6e3, traffic = 0.5;  // rows; of the time of a sweep out of memory. Measured.
+  constexpr double wait = 6e3, traffic = 0.5;  // rows; of the time of a sweep out of memory: processes.md
   const std::size_t slices = size() / SlicedRows::lanes;
   const bool leaves_cache = chain_bytes() > cache_bytes_;
   const std::size_t most = std::min({longest_chain, slices / std::max<std::size_t>(1, cuts * reach),
@@ -69,7 +69,7 @@ void FieldOperator::find_flanks() {
   const Halo& halo = *network_.halo;
   const auto& partition = halo.partition();
   double furthest = 0;
-  for_rates([&](std::size_t row, std::size_t column, double /*rate*/) {
+  for_rates(0, size(), [&](std::size_t row, std::size_t column, double /*rate*/) {
     const auto there =
         column < size() ? static_cast<std::int64_t>(column) : halo.row(column - size()) - partition.begin();
     furthest = std::max(furthest, std::abs(static_cast<double>(there - static_cast<std::int64_t>(row))));

@@ -133,9 +133,10 @@ class FieldOperator {
   [[nodiscard]] double total_inflow(double t, RowInflow& sum) const;
 
   friend class Flanks;
-  /// Calls each(row, column, K/C) for every rate; columns from size() on are of the halo.
+  /// Calls each(row, column, K/C) for the rates of rows [first, last); columns from size() on are of the
+  /// halo.
   template <class Each>
-  void for_rates(const Each& each) const;
+  void for_rates(std::size_t first, std::size_t last, const Each& each) const;
   [[nodiscard]] NetworkPart rates_of_rows(std::size_t first, std::size_t last) const;
   /// The conduction of a Jacobian, from the rates alone.
   template <class Add>
@@ -212,16 +213,19 @@ void FieldOperator::sweep_all(const Stage& stage, double* out, const Finish& fin
 }
 
 template <class Each>
-void FieldOperator::for_rates(const Each& each) const {
-  for (std::size_t i = 0; i < size(); ++i)
+void FieldOperator::for_rates(std::size_t first, std::size_t last, const Each& each) const {
+  for (std::size_t i = first; i < last; ++i)
     rate_.for_row(i, [&](std::int32_t column, double rate) { each(i, at(column), rate); });
-  if (boundary_) boundary_->for_entries(size(), each);
+  if (!boundary_) return;
+  boundary_->for_entries(size(), [&](std::size_t row, std::size_t column, double rate) {
+    if (row >= first && row < last) each(row, column, rate);
+  });
 }
 
 template <class Add>
 void FieldOperator::add_rates(Add& add) const {
   std::vector<double> diagonal(size(), 0.0);
-  for_rates([&](std::size_t row, std::size_t column, double rate) {
+  for_rates(0, size(), [&](std::size_t row, std::size_t column, double rate) {
     diagonal[row] -= rate;
     add(row, column < size() ? column : column_elsewhere, rate);
   });

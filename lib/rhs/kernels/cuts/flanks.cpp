@@ -16,8 +16,7 @@ NetworkPart FieldOperator::rates_of_rows(std::size_t first, std::size_t last) co
     double rate;
   };
   std::vector<std::vector<Entry>> entries(last - first);
-  for_rates([&](std::size_t row, std::size_t column, double rate) {
-    if (row < first || row >= last) return;
+  for_rates(first, last, [&](std::size_t row, std::size_t column, double rate) {
     const std::int64_t global = column < size() ? partition.begin() + static_cast<std::int64_t>(column)
                                                 : network_.halo->row(column - size());
     entries[row - first].push_back({static_cast<std::int32_t>(global - origin), rate});
