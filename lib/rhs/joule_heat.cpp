@@ -65,14 +65,32 @@ void JouleHeat::rate(std::span<const double> potential, std::span<double> out) c
   heat_sweep(sliced_weight_, potential.data(), inverse_capacity_.data(), out.data());
 }
 
-void JouleHeat::rate(std::span<const double> potential, const SlotConductivity& conductivity,
-                     std::span<double> out) noexcept {
+/// Potentials side by side with the s of their conductivities.
+void JouleHeat::pair_nodes(std::span<const double> potential, const SlotConductivity& conductivity) {
   const auto sigma = conductivity.value();
   const auto mean = conductivity.mean();
   for_each_entry(nodes_.size(), [&](std::size_t s) {
     nodes_[s] = {potential[s], node_factor(mean, sigma[s])};
   });
-  varying_heat(mean, sliced_geometry_, nodes_.data(), inverse_capacity_.data(), out.data());
+}
+
+void JouleHeat::rate(std::span<const double> potential, const SlotConductivity& conductivity,
+                     std::span<double> out) noexcept {
+  pair_nodes(potential, conductivity);
+  varying_heat(conductivity.mean(), sliced_geometry_, nodes_.data(), inverse_capacity_.data(), out.data());
+}
+
+void JouleHeat::add_row_sums(std::span<const double> potential, const SlotConductivity& conductivity,
+                             std::span<const char> temperature_moves, std::span<const double> potential_moves,
+                             const HeatSums& out) {
+  pair_nodes(potential, conductivity);
+  bend_.resize(nodes_.size());
+  const auto sigma = conductivity.value(), slope = conductivity.slope();
+  for_each_entry(bend_.size(), [&](std::size_t s) {
+    bend_[s] = temperature_moves[s] ? node_bend(conductivity.mean(), sigma[s], slope[s]) : 0;
+  });
+  varying_heat_sums(conductivity.mean(), sliced_geometry_,
+                    {nodes_.data(), bend_.data(), potential_moves.data()}, inverse_capacity_.data(), out);
 }
 
 double JouleHeat::largest_rate(double span) const noexcept {

@@ -28,6 +28,11 @@ class JouleHeat {
   /// The same with the conductivities of the moment.
   void rate(std::span<const double> potential, const SlotConductivity& conductivity,
             std::span<double> out) noexcept;
+  /// Adds to `out` the sums of the rows of its derivatives, with the conductivities and slopes of the moment.
+  ///   temperature_moves, potential_moves [slots]  0 or 1: whether values there may change
+  void add_row_sums(std::span<const double> potential, const SlotConductivity& conductivity,
+                    std::span<const char> temperature_moves, std::span<const double> potential_moves,
+                    const HeatSums& out);
   /// Largest rate that potentials within `span` [V] can cause anywhere, with the reference conductivities.
   [[nodiscard]] double largest_rate(double span) const noexcept;
 
@@ -38,6 +43,8 @@ class JouleHeat {
                 AddPotential add_potential, AddTemperature add_temperature) const;
 
  private:
+  void pair_nodes(std::span<const double> potential, const SlotConductivity& conductivity);
+
   std::vector<std::int64_t> begin_;       ///< [rows+1]
   std::vector<std::int32_t> slot_;        ///< [branch ends]
   std::vector<double> geometry_;          ///< [branch ends] K/mean [m]
@@ -45,6 +52,7 @@ class JouleHeat {
   SlicedRows sliced_weight_;              ///< the same for the sweep
   SlicedRows sliced_geometry_;            ///< of the sweep with the conductivities of the moment
   std::vector<NodePair> nodes_;           ///< [slots] for it
+  std::vector<double> bend_;              ///< [slots] |ds/dT|; empty until sums of rows are asked for
   std::vector<double> inverse_capacity_;  ///< [rows]
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/index.hpp"
 #include "rhs/nonlinear_rhs.hpp"
 
 namespace superstep {
@@ -19,11 +20,50 @@ auto only_own(Add add) {
   };
 }
 
-const SlotConductivity* pointer_to(const std::optional<SlotConductivity>& value) noexcept {
+template <class T>
+const T* pointer_to(const std::optional<T>& value) noexcept {
   return value ? &*value : nullptr;
 }
 
 }  // namespace
+
+/// Which values on slots are unknowns, here or elsewhere.
+void NonlinearRhs::mark_slots(const NonlinearInput& input) {
+  const auto slot = [this](std::int32_t node) { return at(slot_of_node_[at(node)]); };
+  const FieldInput* potential = input.steady_potential ? nullptr : pointer_to(input.potential);
+  temperature_moves_.assign(slot_of_node_.size(), 0);
+  potential_moves_.assign(slot_of_node_.size(), 0);
+  std::fill_n(temperature_moves_.begin(), thermal_->size(), 1);
+  if (potential)
+    for (const auto node : potential->network.node_of_row) potential_moves_[slot(node)] = 1;
+  if (!input.among()) return;
+  kind_of_slot_.resize(slot_of_node_.size());
+  for (const auto node : input.temperature.node_of_halo) {
+    kind_of_slot_[slot(node)].temperature_elsewhere = true;
+    temperature_moves_[slot(node)] = 1;
+  }
+  if (!potential) return;
+  for (const auto node : potential->node_of_halo) {
+    kind_of_slot_[slot(node)].potential_elsewhere = true;
+    potential_moves_[slot(node)] = 1;
+  }
+}
+
+/// Passes on what a row owes to the temperature on a slot, if that may move.
+template <class Add>
+void NonlinearRhs::add_of_temperature(std::size_t row, std::size_t slot, double value, Add& add) const {
+  if (slot < thermal_->size())
+    add(row, temperature_offset_ + slot, value);
+  else if (!kind_of_slot_.empty() && kind_of_slot_[slot].temperature_elsewhere)
+    add(row, row < temperature_offset_ ? across_elsewhere : column_elsewhere, value);
+}
+
+void NonlinearRhs::update_slopes(double t, std::span<const double> y) {
+  if (!varies()) return;
+  const auto slots = temperature_slots_->on_slots(t, y.data() + temperature_offset_);
+  if (thermal_conductivity_) thermal_conductivity_->update_slopes(slots);
+  if (electric_conductivity_) electric_conductivity_->update_slopes(slots);
+}
 
 /// Every contribution to df/dy, the same ones in the same order at every state. The steady potential counts
 /// as given: what it owes to the temperatures is left out, which costs Newton an iteration and no accuracy.
@@ -32,21 +72,10 @@ const SlotConductivity* pointer_to(const std::optional<SlotConductivity>& value)
 template <class Add>
 void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add add) {
   update_conductances(t, y.data() + temperature_offset_);
-  const std::size_t rows = thermal_->size();
+  update_slopes(t, y);
   const auto add_temperature = [&](std::size_t row, std::size_t slot, double value) {
-    if (slot < rows)
-      add(row, temperature_offset_ + slot, value);
-    else if (!kind_of_slot_.empty() && kind_of_slot_[slot].temperature_elsewhere)
-      add(row, row < temperature_offset_ ? across_elsewhere : column_elsewhere, value);
+    add_of_temperature(row, slot, value, add);
   };
-  const auto thermal_row = [&](std::size_t row, std::size_t slot, double value) {
-    add_temperature(temperature_offset_ + row, slot, value);
-  };
-  if (thermal_conductivity_ || electric_conductivity_) {
-    const auto slots = temperature_slots_->on_slots(t, y.data() + temperature_offset_);
-    if (thermal_conductivity_) thermal_conductivity_->update_slopes(slots);
-    if (electric_conductivity_) electric_conductivity_->update_slopes(slots);
-  }
   if (steps_potential()) {
     electric_->jacobian(y, add);
     if (electric_law_)
@@ -58,10 +87,16 @@ void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add a
   });
   if (thermal_law_)
     thermal_law_->jacobian(*thermal_conductivity_, *thermal_, thermal_->ghost_values(t), temperature_of(y),
-                           thermal_row);
+                           [&](std::size_t row, std::size_t slot, double value) {
+                             add_temperature(temperature_offset_ + row, slot, value);
+                           });
+  enumerate_joule(t, y, add);
+}
+
+/// The part of the Joule heat in it.
+template <class Add>
+void NonlinearRhs::enumerate_joule(double t, std::span<const double> y, Add& add) {
   if (!joule_) return;
-  const auto potential = steady_ ? steady_->on_slots(t, pointer_to(electric_conductivity_))
-                                 : potential_slots_->on_slots(t, y.data());
   const auto add_potential = [&](std::size_t row, std::size_t slot, double value) {
     if (!steps_potential()) return;
     const auto entry = row_of_potential_slot_[slot];
@@ -70,7 +105,10 @@ void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add a
     else if (!kind_of_slot_.empty() && kind_of_slot_[slot].potential_elsewhere)
       add(temperature_offset_ + row, across_elsewhere, value);
   };
-  joule_->jacobian(potential, pointer_to(electric_conductivity_), add_potential, thermal_row);
+  joule_->jacobian(potential_on_slots(t, y.data()), pointer_to(electric_conductivity_), add_potential,
+                   [&](std::size_t row, std::size_t slot, double value) {
+                     add_of_temperature(temperature_offset_ + row, slot, value, add);
+                   });
 }
 
 SparsePattern NonlinearRhs::build_pattern() {
@@ -93,21 +131,55 @@ double NonlinearRhs::radius_beyond_blocks(double /*t*/, std::span<const double> 
   return radiates_ ? thermal_->radiation_slope(temperature_of(y)) : 0;
 }
 
+/// Sums of |J| over the columns of a row's own field, in own_sum_, and over those of the other, in
+/// cross_sum_. Where several contributions meet in one place, their magnitudes are added.
+void NonlinearRhs::sum_rows_of_jacobian(double t, std::span<const double> y) {
+  auto &own = own_sum_, &cross = cross_sum_;
+  own.assign(size(), 0.0);
+  cross.assign(size(), 0.0);
+  const auto temperature = temperature_of(y);
+  update_conductivities(t, temperature.data());
+  update_slopes(t, y);
+  auto add = [&](std::size_t row, std::size_t column, double value) {
+    const bool same =
+        column == column_elsewhere ||
+        (column != across_elsewhere && (row < temperature_offset_) == (column < temperature_offset_));
+    (same ? own : cross)[row] += std::abs(value);
+  };
+  const auto potentials = std::span(own).first(temperature_offset_);
+  const auto temperatures = std::span(own).subspan(temperature_offset_);
+  auto of_temperature = [&](std::size_t row, std::size_t, double value) {
+    temperatures[row] += std::abs(value);
+  };
+  if (electric_law_)
+    electric_law_->row_sums(*electric_conductivity_, *electric_, electric_->ghost_values(t), y,
+                            temperature_moves_, {potentials, std::span(cross).first(temperature_offset_)});
+  else if (steps_potential())
+    electric_->jacobian(y, add);
+  if (thermal_law_) {
+    law_sum_.resize(thermal_->size());
+    thermal_law_->row_sums(*thermal_conductivity_, *thermal_, thermal_->ghost_values(t), temperature,
+                           temperature_moves_, {temperatures, law_sum_});
+    for (std::size_t i = 0; i < law_sum_.size(); ++i) temperatures[i] += law_sum_[i];
+    thermal_->radiation_jacobian(temperature, of_temperature);
+  } else {
+    thermal_->jacobian(temperature, of_temperature);
+  }
+  if (joule_ && electric_conductivity_)
+    joule_->add_row_sums(potential_on_slots(t, y.data()), *electric_conductivity_, temperature_moves_,
+                         potential_moves_, {temperatures, std::span(cross).subspan(temperature_offset_)});
+  else
+    enumerate_joule(t, y, add);
+}
+
 /// Row sums of |J| after scaling the temperatures by theta bound its spectrum for every theta. With the
 /// largest sums within the fields (a, c) and across (b, e), the theta with a + theta b = c + e/theta balances
 /// the two fields. Its two products are all that is needed: up = theta b and down = e/theta are the roots of
 /// up - down = c - a and up down = b e, each in the form without cancellation; theta itself overflows where a
 /// cross term vanishes.
 double NonlinearRhs::scaled_gershgorin(double t, std::span<const double> y) {
-  auto &own = own_sum_, &cross = cross_sum_;
-  own.assign(size(), 0.0);
-  cross.assign(size(), 0.0);
-  enumerate_jacobian(t, y, [&](std::size_t row, std::size_t column, double value) {
-    const bool same =
-        column == column_elsewhere ||
-        (column != across_elsewhere && (row < temperature_offset_) == (column < temperature_offset_));
-    (same ? own : cross)[row] += std::abs(value);
-  });
+  sum_rows_of_jacobian(t, y);
+  const auto &own = own_sum_, &cross = cross_sum_;
   double a = 0, b = 0, c = 0, e = 0;
   for (std::size_t i = 0; i < temperature_offset_; ++i) {
     a = std::max(a, own[i]);

@@ -149,13 +149,8 @@ NonlinearRhs::NonlinearRhs(NonlinearInput input)
   joule_rate_.assign(thermal_->size(), 0.0);
   own_sum_.reserve(size());
   cross_sum_.reserve(size());
-  if (input.among()) {
-    kind_of_slot_.resize(slot_of_node_.size());
-    for (const auto node : input.temperature.node_of_halo)
-      kind_of_slot_[at(slot_of_node_[at(node)])].temperature_elsewhere = true;
-    for (std::size_t k = 0; input.potential && k < input.potential->node_of_halo.size(); ++k)
-      kind_of_slot_[at(slot_of_node_[at(input.potential->node_of_halo[k])])].potential_elsewhere = true;
-  }
+  if (thermal_conductivity_) law_sum_.reserve(thermal_->size());
+  mark_slots(input);
   if (!input.potential) {
     find_facts(input);
     return;
@@ -210,19 +205,18 @@ void NonlinearRhs::update_conductances(double t, const double* temperature) {
   if (electric_law_) electric_law_->apply(*electric_conductivity_, *electric_);
 }
 
+std::span<const double> NonlinearRhs::potential_on_slots(double t, const double* y) {
+  return steady_ ? steady_->on_slots(t, pointer_to(electric_conductivity_))
+                 : potential_slots_->on_slots(t, y);
+}
+
 void NonlinearRhs::update_joule(double t, const double* y) {
   if (!joule_) return;
-  const auto* conductivity = pointer_to(electric_conductivity_);
-  std::span<const double> potential;
-  if (steady_) {
-    const auto solves = steady_->solves();
-    potential = steady_->on_slots(t, conductivity);
-    mutable_counters().potential_solves += steady_->solves() - solves;
-  } else {
-    potential = potential_slots_->on_slots(t, y);
-  }
-  if (conductivity)
-    joule_->rate(potential, *conductivity, joule_rate_);
+  const auto solves = steady_ ? steady_->solves() : 0;
+  const auto potential = potential_on_slots(t, y);
+  if (steady_) mutable_counters().potential_solves += steady_->solves() - solves;
+  if (electric_conductivity_)
+    joule_->rate(potential, *electric_conductivity_, joule_rate_);
   else
     joule_->rate(potential, joule_rate_);
 }

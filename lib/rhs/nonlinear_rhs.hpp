@@ -96,6 +96,14 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   void update_joule(double t, const double* y);
   template <class Add>
   void enumerate_jacobian(double t, std::span<const double> y, Add add);
+  template <class Add>
+  void enumerate_joule(double t, std::span<const double> y, Add& add);
+  template <class Add>
+  void add_of_temperature(std::size_t row, std::size_t slot, double value, Add& add) const;
+  [[nodiscard]] std::span<const double> potential_on_slots(double t, const double* y);
+  void mark_slots(const NonlinearInput& input);
+  void update_slopes(double t, std::span<const double> y);
+  void sum_rows_of_jacobian(double t, std::span<const double> y);
   [[nodiscard]] double scaled_gershgorin(double t, std::span<const double> y);
   void find_facts(const NonlinearInput& input);
   void add_steady_breakpoints();
@@ -116,7 +124,10 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
     bool temperature_elsewhere = false, potential_elsewhere = false;  ///< a row that another process has
   };
   std::vector<SlotKind> kind_of_slot_;  ///< [slots], only where processes share the scene
-  std::vector<double> own_sum_, cross_sum_;
+  std::vector<char>
+      temperature_moves_;  ///< [slots] whether the temperature is that of a row, here or elsewhere
+  std::vector<double> potential_moves_;  ///< [slots] 1 or 0, likewise of the potential
+  std::vector<double> own_sum_, cross_sum_, law_sum_;
   std::vector<double> joule_rate_;                 ///< [temperature rows] K/s
   double thermal_bound_ = 0, electric_bound_ = 0;  ///< of constant conductances [1/s]
   bool radiates_ = false;

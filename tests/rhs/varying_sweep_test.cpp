@@ -165,6 +165,22 @@ TEST(LawValues, AreThoseOfTheLawOneByOne) {
     }
 }
 
+TEST(LawSlopes, AreThoseOfTheLawOneByOne) {
+  std::vector<double> temperature{-50, 0, 3, 400};  // the points of the table: the piece that begins there
+  for (int k = -400; k < 900; ++k) temperature.push_back(k + 0.37 * std::sin(k));
+  for (const double extreme : {-1e9, -1e4, 1e4, 1e9}) temperature.push_back(extreme);
+  for (const auto& law : laws())
+    for (const auto& kernel : law_kernels()) {
+      std::vector<double> out(temperature.size());
+      kernel.slopes(law, temperature.data(), temperature.size(), out.data());
+      double largest = 0;
+      for (const double t : temperature) largest = std::max(largest, std::abs(law.slope(t)));
+      for (std::size_t i = 0; i < out.size(); ++i)
+        EXPECT_NEAR(out[i], law.slope(temperature[i]), 1e-13 * largest)
+            << kernel.name << ' ' << static_cast<int>(law.kind) << " at " << temperature[i];
+    }
+}
+
 /// A table that falls over twenty decades: what it says where it is small has all its digits.
 TEST(LawValues, OfATableLoseNothingToLargeValuesElsewhere) {
   ConductivityLaw table{.kind = ConductivityLaw::Kind::table, .value = 1};
@@ -194,6 +210,9 @@ TEST(LawValues, DoNotDependOnWhereARangeEnds) {
     if (law_kernels().size() < 3) continue;
     law_kernels()[0].values(law, temperature.data(), temperature.size(), whole.data());
     law_kernels()[1].values(law, temperature.data(), temperature.size(), parts.data());
+    EXPECT_EQ(whole, parts);
+    law_kernels()[0].slopes(law, temperature.data(), temperature.size(), whole.data());
+    law_kernels()[1].slopes(law, temperature.data(), temperature.size(), parts.data());
     EXPECT_EQ(whole, parts);
   }
 }

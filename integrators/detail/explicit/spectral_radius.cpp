@@ -1,6 +1,7 @@
 #include "integrators/detail/explicit/spectral_radius.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 #include "rhs/lanczos.hpp"
 
@@ -26,8 +27,10 @@ bool SpectralRadius::moved(std::span<const double> y) const {
     const auto fields = rhs_->fields();
     for (std::size_t f = 0; f < fields.size(); ++f) {
       const double allowed = part * spans_[f];
+      std::int64_t found = 0;  // as wide as what is compared
       for (std::size_t k = 0, i = fields[f].offset; k < fields[f].count; ++k, i += fields[f].stride)
-        if (!(std::abs(y[i] - seen_[i]) <= allowed)) return true;
+        found |= !(std::abs(y[i] - seen_[i]) <= allowed);
+      if (found != 0) return true;
     }
     return false;
   };

@@ -99,6 +99,9 @@ class FieldOperator {
   /// Columns of rows that other processes have are all `column_elsewhere`.
   template <class Add>
   void jacobian(std::span<const double> y, Add add) const;
+  /// What of it is due to radiation.
+  template <class Add>
+  void radiation_jacobian(std::span<const double> y, Add& add) const;
 
   /// New conductances on the same graph [nnz] and of the ghost edges [ghost edges], W/K or S.
   void set_conductances(std::span<const double> edges, std::span<const double> ghost_edges);
@@ -249,6 +252,11 @@ void FieldOperator::jacobian(std::span<const double> y, Add add) const {
     const auto row = static_cast<std::size_t>(ghost.row);
     add(row, row, -ghost.rate);
   }
+  radiation_jacobian(y, add);
+}
+
+template <class Add>
+void FieldOperator::radiation_jacobian(std::span<const double> y, Add& add) const {
   for (const auto& radiation : radiation_) {
     const auto row = static_cast<std::size_t>(radiation.row);
     add(row, row, -4 * radiation.rate * y[row] * y[row] * y[row]);

@@ -36,6 +36,7 @@ class NodeValues {
 
  private:
   std::vector<std::int32_t> slot_of_row_;
+  bool rows_first_ = false;  ///< row i is slot i
   std::vector<KnownValue> changing_;
   TabledInputs inputs_;
   std::vector<double> value_;

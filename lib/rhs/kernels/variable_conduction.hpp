@@ -1,6 +1,7 @@
 #pragma once
 /// Conductances that follow the temperatures of their ends: K_ij = G_ij mean(kappa(T_i), kappa(T_j)).
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "rhs/conductivity_law.hpp"
 #include "rhs/kernels/field_operator.hpp"
 #include "rhs/kernels/node_values.hpp"
+#include "rhs/kernels/varying_bound.hpp"
 
 namespace superstep {
 
@@ -49,12 +51,18 @@ class SlotConductivity {
   [[nodiscard]] double largest_rise() const noexcept;
 
  private:
+  template <class OfLaw>
+  void evaluate(std::span<const double> temperature, std::span<double> out, const OfLaw& of_law);
+
   ConductionLaws laws_;
   std::vector<std::int32_t> node_of_slot_;
   std::vector<double> value_, slope_;
   std::vector<std::vector<std::int32_t>> slots_of_law_;  ///< only where there are several laws
   std::vector<double> gathered_;                         ///< room for the slots of one law
   bool limited_ = false;                                 ///< any law
+  // Temperatures that all laws cover.
+  double inside_from_ = -std::numeric_limits<double>::infinity(),
+         inside_to_ = std::numeric_limits<double>::infinity();
 };
 
 /// Keeps the conductances of a field operator up to date.
@@ -69,6 +77,13 @@ class VariableConduction {
   /// out = stage with f of the field at (t, y1) for the given conductivities, which are not kept. One sweep.
   void stage(const SlotConductivity& conductivity, FieldOperator& field, double t, const Stage& stage,
              double* out);
+  /// Sums of the rows of |df/dy| at y [rows], for conductivities and slopes that belong to it: through the
+  /// values of the field [1/s], those of its neighbours alone, and through the temperatures. Without
+  /// radiation.
+  ///   varies [slots]  whether the temperature of a slot may move
+  void row_sums(const SlotConductivity& conductivity, const FieldOperator& field,
+                std::span<const double> ghost_value, std::span<const double> y, std::span<const char> varies,
+                const JacobianSums& out);
   /// Calls add(row, slot, value) for d f_row / d T_slot through the conductances.
   template <class Add>
   void jacobian(const SlotConductivity& conductivity, const FieldOperator& field,
@@ -76,6 +91,7 @@ class VariableConduction {
 
  private:
   void fetch_beyond(const FieldOperator& field, const double* y);
+  void pair_nodes(const SlotConductivity& conductivity, const FieldOperator& field, const double* y);
   void update_ghosts(const SlotConductivity& conductivity, const FieldOperator& field);
 
   std::vector<std::int32_t> slot_of_row_;          ///< of columns beyond the own rows, too
@@ -85,6 +101,8 @@ class VariableConduction {
   std::vector<double> row_conductivity_, conductance_, ghost_conductance_;
   SlicedRows scaled_geometry_;   ///< G_ij/C_i as the sweep takes it
   std::vector<NodePair> nodes_;  ///< [rows and halo]
+  std::vector<double> bend_;     ///< likewise; empty until sums of rows are asked for
+  bool rows_are_slots_ = false;  ///< row i is slot i
   std::vector<double> beyond_;   ///< [halo] values of rows that others have
 };
 

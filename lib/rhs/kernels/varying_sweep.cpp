@@ -1,14 +1,12 @@
 #include "rhs/kernels/varying_sweep.hpp"
 
+#include "rhs/kernels/node_pairs.hpp"
 #include "rhs/kernels/stage_kernel.hpp"
 
 namespace superstep {
 namespace {
 
 constexpr std::size_t lanes = SlicedRows::lanes;
-
-/// A value and its s in one register.
-typedef double PairPack __attribute__((vector_size(2 * sizeof(double))));
 
 // Results by reference: the ABI of a function that returns a vector depends on the instruction set.
 struct Harmonic {
@@ -44,55 +42,6 @@ struct Arithmetic {
   template <class Number>
   SUPERSTEP_INLINE static void finish(const Number& /*own*/, Number& /*heat*/) {}
 };
-
-SUPERSTEP_INLINE PairPack load(const NodePair* nodes, std::size_t k) {
-  PairPack pair;
-  std::memcpy(&pair, nodes + k, sizeof(pair));
-  return pair;
-}
-
-template <std::size_t width>
-SUPERSTEP_INLINE void split(const PairPack (&pair)[width], typename Vector<width>::type& value,
-                            typename Vector<width>::type& s) {
-  using Four = Vector<4>::type;
-  Four low_value, low_s;
-  const auto four = [](const PairPack* p, Four& v, Four& f) __attribute__((always_inline)) {
-    v = __builtin_shufflevector(__builtin_shufflevector(p[0], p[1], 0, 2),
-                                __builtin_shufflevector(p[2], p[3], 0, 2), 0, 1, 2, 3);
-    f = __builtin_shufflevector(__builtin_shufflevector(p[0], p[1], 1, 3),
-                                __builtin_shufflevector(p[2], p[3], 1, 3), 0, 1, 2, 3);
-  };
-  four(pair, low_value, low_s);
-  if constexpr (width == 4) {
-    value = low_value;
-    s = low_s;
-  } else {
-    Four high_value, high_s;
-    four(pair + 4, high_value, high_s);
-    value = __builtin_shufflevector(low_value, high_value, 0, 1, 2, 3, 4, 5, 6, 7);
-    s = __builtin_shufflevector(low_s, high_s, 0, 1, 2, 3, 4, 5, 6, 7);
-  }
-}
-
-template <std::size_t width>
-SUPERSTEP_INLINE void gather(const NodePair* nodes, const std::int32_t* column,
-                             typename Vector<width>::type& value, typename Vector<width>::type& s) {
-  PairPack pair[width];
-  for (std::size_t k = 0; k < width; k += 2) {
-    const NeighbourPair two(column + k);
-    pair[k] = load(nodes, two.first());
-    pair[k + 1] = load(nodes, two.second());
-  }
-  split<width>(pair, value, s);
-}
-
-template <std::size_t width>
-SUPERSTEP_INLINE void own_nodes(const NodePair* nodes, std::size_t row, typename Vector<width>::type& value,
-                                typename Vector<width>::type& s) {
-  PairPack pair[width];
-  for (std::size_t k = 0; k < width; ++k) pair[k] = load(nodes, row + k);
-  split<width>(pair, value, s);
-}
 
 /// Rows of a slice that are not all there, one by one.
 template <class Mean>
@@ -130,7 +79,7 @@ SUPERSTEP_INLINE void sweep_slices(const SlicedRows& geometry, const NodePair* n
       __builtin_prefetch(geometry.column() + k + entries_ahead);
       for (std::size_t p = 0; p < packs; ++p) {
         Pack other, s, factor, conductance;
-        gather<width>(nodes, geometry.column() + k + p * width, other, s);
+        gather_pairs<width>(nodes, geometry.column() + k + p * width, other, s);
         std::memcpy(&factor, geometry.value() + k + p * width, sizeof(Pack));
         Mean::conductance(factor, own_s[p], s, conductance);
         flux[p] += conductance * (other - own[p]);
@@ -177,7 +126,7 @@ SUPERSTEP_INLINE void heat_slices(const SlicedRows& geometry, const NodePair* no
     for (auto k = geometry.begin()[slice]; k < geometry.begin()[slice + 1]; k += lanes)
       for (std::size_t p = 0; p < packs; ++p) {
         Pack other, s, factor, weight;
-        gather<width>(nodes, geometry.column() + k + p * width, other, s);
+        gather_pairs<width>(nodes, geometry.column() + k + p * width, other, s);
         std::memcpy(&factor, geometry.value() + k + p * width, sizeof(Pack));
         Mean::heat(factor, own_s[p], s, weight);
         const Pack difference = other - own[p];
