@@ -1,5 +1,6 @@
 #include "bench/host/watchdog.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <utility>
@@ -9,7 +10,10 @@
 namespace superstep {
 namespace {
 
-constexpr auto interval = std::chrono::milliseconds(50);
+using Seconds = std::chrono::duration<double>;
+
+constexpr double interval = 0.05;  // s between looks
+constexpr double shortest = 1e-4;  // s: CPU time may pass slower than the clock does
 
 }  // namespace
 
@@ -42,9 +46,18 @@ double Watchdog::spent() const noexcept {
   return (of_cpu_ ? process_cpu_seconds() : wall_seconds()) - began_;
 }
 
+// A limit may be shorter than the time between looks: the last look comes when it is reached.
+double Watchdog::until_next_look() const noexcept {
+  if (!(limit_ > 0) || flag_) return interval;
+  return std::clamp(limit_ - spent(), shortest, interval);
+}
+
 void Watchdog::watch(const std::stop_token& quit) {
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, quit, interval, [&] { return quit.stop_requested(); })) {
+  const auto wait = [&] {
+    return wake_.wait_for(lock, quit, Seconds(until_next_look()), [&] { return quit.stop_requested(); });
+  };
+  while (!wait()) {
     const double now = wall_seconds();
     if (stop_ && stop_->load(std::memory_order_relaxed)) flag_ = true;
     if (limit_ > 0 && spent() > limit_ && !flag_) {

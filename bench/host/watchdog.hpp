@@ -32,7 +32,8 @@ class Watchdog {
  private:
   void watch(const std::stop_token& quit);
 
-  [[nodiscard]] double spent() const noexcept;  // of what is limited [s]
+  [[nodiscard]] double spent() const noexcept;            // of what is limited [s]
+  [[nodiscard]] double until_next_look() const noexcept;  // s
 
   double limit_;
   bool of_cpu_;

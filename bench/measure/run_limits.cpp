@@ -7,6 +7,11 @@ namespace {
 
 constexpr double minute = 60, hour = 3600, day = 24 * hour, year = 365 * day;  // s
 
+/// A limit as it was given.
+std::string limit_text(double seconds) {
+  return seconds < 2 * minute ? fmt::format("{:g} s", seconds) : duration_text(seconds);
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -25,8 +30,13 @@ std::string forecast_text(const std::string& spec, double part, double seconds, 
       part > 0 ? fmt::format("{}: {:.2g} % of the time are done after {}; at this rate all of it takes {}",
                              spec, 100 * part, duration_text(seconds), duration_text(whole))
                : fmt::format("{}: no step is done after {}", spec, duration_text(seconds));
-  if (allowed > 0 && (part == 0 || whole > allowed))
-    text += fmt::format("; it ends after {} (--time-limit)", duration_text(allowed));
+  if (allowed > 0 && seconds > allowed)
+    text += fmt::format(
+        "; its time was up after {} (--time-limit), and it ends with the step or the factorization "
+        "that it is in",
+        limit_text(allowed));
+  else if (allowed > 0 && (part == 0 || whole > allowed))
+    text += fmt::format("; it ends after {} (--time-limit)", limit_text(allowed));
   if ((part == 0 || whole > hour) && !faster.empty()) text += fmt::format("; {} would be faster", faster);
   return text;
 }

@@ -9,7 +9,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "bench/host/watchdog.hpp"
 #include "bench/measure/run_limits.hpp"
+#include "core/stopwatch.hpp"
 #include "program.hpp"
 #include "support/small_press.hpp"
 #include "support/temporary_case.hpp"
@@ -48,6 +50,25 @@ TEST_F(Limits, EveryMethodLooksAtTheClock) {
     const auto said = test::call_program(
         {"run", endless(), "--integrator", spec, "--time-limit", "0.1", "--quiet", "--out", out()});
     EXPECT_TRUE(said.code == 4 || std::string(spec) == "esdirk:rtol=1e-12") << spec << said.out << said.err;
+  }
+}
+
+// Much shorter than the time between two looks at the clock. The quickest of several, as others may use the
+// machine.
+TEST_F(Limits, AShortLimitIsKept) {
+  constexpr double limit = 1e-3, late = 0.02;  // s
+  for (const bool of_cpu : {false, true}) {
+    double quickest = 1;
+    for (int k = 0; k < 10; ++k) {
+      const double began = wall_seconds();
+      const Watchdog dog(limit, nullptr, of_cpu);
+      while (!dog.flag()->load() && wall_seconds() - began < 1)
+        ;
+      EXPECT_TRUE(dog.time_is_up());
+      quickest = std::min(quickest, wall_seconds() - began);
+    }
+    EXPECT_GT(quickest, 0.5 * limit);
+    EXPECT_LT(quickest, late) << of_cpu;
   }
 }
 
@@ -166,6 +187,9 @@ TEST_F(Limits, AForecastSaysHowLongItTakesAndWhatIsFaster) {
   EXPECT_NE(hours.find("ends after 10 minutes"), std::string::npos) << hours;
   EXPECT_NE(hours.find("exponential would be faster"), std::string::npos) << hours;
   EXPECT_NE(forecast_text("cvode", 0, 10, 0, "").find("no step is done"), std::string::npos);
+  const std::string late = forecast_text("cvode", 0, 10, 0.3, "");
+  EXPECT_NE(late.find("its time was up after 0.3 s"), std::string::npos) << late;
+  EXPECT_EQ(late.find("it ends after"), std::string::npos) << late;
 }
 
 }  // namespace

@@ -35,7 +35,11 @@ OptionEntry integrator_option(const std::string& fallback) {
 
 OptionEntry time_limit_option(const std::string& fallback) {
   return {"--time-limit", &Arguments::time_limit,
-          "wall time [s] that one run of a method may take; default: " + fallback, "SECONDS"};
+          "wall time [s] that one run of a method may take; it ends with the step, or the factorization, "
+          "that it is "
+          "in; default: " +
+              fallback,
+          "SECONDS"};
 }
 
 OptionEntry max_work_option() {
