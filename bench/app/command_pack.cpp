@@ -220,7 +220,9 @@ CommandEntry pack_command() {
            {"--relative-density", &Arguments::relative_density,
             "sphere volume over container volume (default 0.64)", "X"},
            {"--sizes", &Arguments::sizes,
-            "diameters: lognormal:median=,sigma=,min=,max= | uniform:min=,max= | list:d1,d2,...", "SIZES"},
+            "diameters: lognormal:median=,sigma=,min=,max= | uniform:min=,max= | list:d1,d2,...; equal "
+            "and listed ones are scaled a little, until the density is met",
+            "SIZES"},
            {"--seed", &Arguments::seed, "same seed, same packing (default 1)", "N"},
            {"--length-unit", &Arguments::length_unit,
             "of the lengths given here: m, cm, mm, um, nm (default m)", "UNIT"},

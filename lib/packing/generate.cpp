@@ -30,6 +30,34 @@ double rounded(double value) {
   return value;
 }
 
+/// Gives ascending diameters this volume by one factor, and leaves none of them beyond the cut-offs nor a
+/// lognormal without its extremes. Listed and equal ones, and those whose cut-offs are too close together for
+/// the volume, all take the factor.
+void correct_volume(const SizeDistribution& sizes, double volume, double largest_correction,
+                    std::vector<double>& diameters) {
+  const bool has_width = sizes.kind != SizeDistribution::Kind::list && sizes.max > sizes.min;
+  const auto scaled = [&](double factor) {
+    auto out = diameters;
+    for (double& d : out) d = std::clamp(factor * d, sizes.min, sizes.max);
+    if (sizes.kind == SizeDistribution::Kind::lognormal)
+      out.front() = diameters.front(), out.back() = diameters.back();
+    return out;
+  };
+  double low = 1 - largest_correction, high = 1 + largest_correction;
+  const auto volume_at = [&](double factor) { return volume_of_diameters(scaled(factor)); };
+  if (has_width && volume_at(low) <= volume && volume <= volume_at(high)) {
+    constexpr int halvings = 50;
+    for (int k = 0; k < halvings; ++k) {
+      const double middle = 0.5 * (low + high);
+      (volume_at(middle) < volume ? low : high) = middle;
+    }
+    diameters = scaled(high);
+    return;
+  }
+  const double factor = std::cbrt(volume / volume_of_diameters(diameters));  // about 1 +- 1/(6 count)
+  for (double& d : diameters) d *= factor;
+}
+
 /// Final radii in random order; their volume hits the relative density.
 std::vector<double> draw_radii(const PackSettings& settings, Random& random) {
   const double volume = settings.relative_density * settings.container.volume();
@@ -39,7 +67,7 @@ std::vector<double> draw_radii(const PackSettings& settings, Random& random) {
     count = count_for_volume(sizes, volume, largest_packing);
   else
     sizes.median = median_for_volume(sizes, count, volume);
-  auto radii = stratified_diameters(sizes, count);
+  auto radii = stratified_diameters(sizes, count);                           // diameters yet
   const double correction = std::cbrt(volume / volume_of_diameters(radii));  // about 1 +- 1/(6 count)
   constexpr double largest_correction = 0.02;
   if (std::abs(correction - 1.0) > largest_correction)
@@ -47,7 +75,8 @@ std::vector<double> draw_radii(const PackSettings& settings, Random& random) {
         fmt::format("packing: {} spheres of these sizes miss the relative density {} by {:.2g} % of their "
                     "diameters; choose a larger container or smaller spheres",
                     count, settings.relative_density, 100.0 * std::abs(correction - 1.0)));
-  for (double& r : radii) r = rounded(0.5 * correction * r);
+  correct_volume(sizes, volume, largest_correction, radii);
+  for (double& r : radii) r = rounded(0.5 * r);
   random.shuffle(radii);
   return radii;
 }

@@ -90,8 +90,8 @@ TEST(GeneratePacking, HitsDensityAndSizesInsideACylinder) {
   expect_sound(packed, settings);
   EXPECT_EQ(packed.packing.id.back(), static_cast<std::int64_t>(packed.packing.size()) - 1);
   const auto [low, high] = diameter_range(packed.packing);
-  EXPECT_NEAR(low / 1.5e-6, 1.0, 1e-3);  // cut-offs give way by a fraction of a sphere's volume at most
-  EXPECT_NEAR(high / 20e-6, 1.0, 1e-3);
+  EXPECT_NEAR(low, 1.5e-6, 1e-17);  // twelve digits: a lognormal's extremes are its cut-offs
+  EXPECT_NEAR(high, 20e-6, 1e-16);
   EXPECT_LT(packed.report.largest_overlap, 1.5);
   EXPECT_GT(packed.report.relaxation_steps, 600u);
   EXPECT_LT(packed.report.imbalance, 1e-2);
@@ -106,6 +106,28 @@ TEST(GeneratePacking, HonoursTheCountByFittingTheMedian) {
   const auto [low, high] = diameter_range(packed.packing);
   EXPECT_NEAR(low, 1.5e-6, 1e-15);
   EXPECT_NEAR(high, 20e-6, 1e-14);
+}
+
+TEST(GeneratePacking, KeepsDiametersBetweenTheCutOffsWhileItHitsTheDensity) {
+  for (const double height : {20e-3, 25e-3, 31e-3, 40e-3})  // factors above and below one
+    for (const double smallest :
+         {2e-3, 3.6e-3, 3.8e-3}) {  // of narrow sizes the factor moves the ends furthest
+      auto settings = small_box();
+      settings.container.height = height;
+      settings.sizes.min = smallest;
+      settings.sizes.max = 4e-3;
+      const auto packed = pack(settings);
+      expect_sound(packed, settings);
+      const auto [low, high] = diameter_range(packed.packing);
+      EXPECT_GE(low, smallest) << height;
+      EXPECT_LE(high, 4e-3) << height;
+    }
+}
+
+TEST(GeneratePacking, LetsCutOffsGiveWayThatAreTooCloseTogetherForTheDensity) {
+  auto settings = small_box();
+  settings.sizes.max = settings.sizes.min * (1 + 1e-9);
+  expect_sound(pack(settings), settings);
 }
 
 TEST(GeneratePacking, FillsABoxWithEqualSpheres) {
