@@ -22,11 +22,14 @@ bool within(const BenchRow& row, double level) {
   return row.ok() && error && *error <= level && can_be_told(row, level);
 }
 
-/// The fastest repetition of one is no slower than the slowest of the other.
+/// The fastest repetition of one is no slower than the slowest of the other. One repetition has no spread,
+/// and tells what is clearly slower alone.
 bool cannot_be_told_apart(const BenchRow& best, const BenchRow& other) {
+  constexpr double clearly = 1.1;  // as in a corpus
   if (!best.cpu_stepping || !other.cpu_stepping) return false;
-  const double own = best.cpu_prepare.value_or(0), its = other.cpu_prepare.value_or(0);
-  return own + best.cpu_stepping->max >= its + other.cpu_stepping->min;
+  const double own = best.cpu_prepare.value_or(0) + best.cpu_stepping->max,
+               its = other.cpu_prepare.value_or(0) + other.cpu_stepping->min;
+  return own * (std::min(best.repetitions, other.repetitions) > 1 ? 1 : clearly) >= its;
 }
 
 const BenchRow* cvode_with_klu(const BenchCase& one) {
@@ -48,8 +51,11 @@ std::string joined(const std::vector<std::string>& words) {
 /// By how much the best one leads, and which others are as good.
 std::string lead_text(const BenchCase& one, const BenchRow& best, double level) {
   std::vector<std::string> slower, tied;
+  const auto is_tied = [&](const BenchRow& row) {
+    return &row != &best && within(row, level) && cannot_be_told_apart(best, row);
+  };
   const auto compare = [&](const BenchRow& row) {
-    if (&row == &best || !(*prepared_cpu(best) > 0)) return;
+    if (&row == &best || is_tied(row) || !(*prepared_cpu(best) > 0)) return;
     const double ratio = *prepared_cpu(row) / *prepared_cpu(best);
     if (ratio > 1) slower.push_back(fmt::format("{:.3g} times faster than {}", ratio, row.spec));
   };
@@ -58,7 +64,7 @@ std::string lead_text(const BenchCase& one, const BenchRow& best, double level) 
     if (row.spec == one.baseline && prepared_cpu(row)) compare(row);
   if (klu && klu->spec != one.baseline) compare(*klu);
   for (const auto& row : one.rows)
-    if (&row != &best && within(row, level) && cannot_be_told_apart(best, row)) tied.push_back(row.spec);
+    if (is_tied(row)) tied.push_back(row.spec);
   std::string out;
   if (!slower.empty()) out += ", " + joined(slower);
   if (!tied.empty()) out += fmt::format("; {} cannot be told apart from it in this run", joined(tied));

@@ -50,6 +50,16 @@ TEST(WorkPrecision, WinnerIsTheCheapestThatReachesTheLevel) {
   EXPECT_NE(work_precision_table(study, false).find("sts: unstable: grew"), std::string::npos);
 }
 
+TEST(WorkPrecision, NothingIsSaidOfAnEulerThatWasNotRun) {
+  WorkPrecision study;
+  study.output_times = {1};
+  study.span = 1;
+  study.points = {point("rkc:rtol=1e-4", 2, 2e-4)};
+  const std::string table = work_precision_table(study, false);
+  EXPECT_EQ(table.find("Euler does not reach it"), std::string::npos) << table;
+  EXPECT_NE(table.find("Euler was not run"), std::string::npos) << table;
+}
+
 TEST(WorkPrecision, EveryMethodOfTheRegistryHasAValidLadder) {
   std::set<std::string> names;
   for (const auto& spec : work_precision_specs()) {

@@ -71,6 +71,23 @@ TEST(Answer, SaysWhichCannotBeToldApart) {
   EXPECT_NE(text.find("; auto cannot be told apart from it in this run."), std::string::npos) << text;
 }
 
+TEST(Answer, LeadsOverNobodyThatCannotBeToldApart) {
+  const auto text = answer_text(bench({row("rkc", 1, 1e-5), row("forward-euler", 1.05, 1e-5)}));
+  EXPECT_EQ(text.find("times faster"), std::string::npos) << text;
+  EXPECT_NE(text.find("; forward-euler cannot be told apart from it"), std::string::npos) << text;
+}
+
+TEST(Answer, OneRepetitionTellsWhatIsClearlySlowerAlone) {
+  auto best = row("rkc", 1, 1e-5), near = row("rock", 1.05, 1e-5), far = row("rkl", 1.2, 1e-5);
+  for (auto* one : {&best, &near, &far}) {
+    one->repetitions = 1;
+    one->cpu_stepping->min = one->cpu_stepping->max = one->cpu_stepping->median;
+  }
+  EXPECT_EQ(answer_text(bench({best, near, far})),
+            "Fastest with an error below 0.1 % of the span: rkc takes 1 s of CPU, preparation included; rock "
+            "cannot be told apart from it in this run.");
+}
+
 TEST(Answer, AnInterruptedBenchHasTimedNothingRatherThanBeenInaccurate) {
   auto euler = row("forward-euler", 8, 1e-4), rkc = row("rkc", 2, 5e-3);
   euler.cpu_stepping.reset();

@@ -44,6 +44,8 @@ LevelWinner winner_at(const WorkPrecision& study, double level) {
   if (out.runner_up) out.lead = out.runner_up->cpu->median / cpu;
   const auto* euler = cheapest(study, [&](const auto& point) { return is_euler(point) && reaches(point); });
   if (euler) out.over_euler = euler->cpu->median / cpu;
+  const bool was_run = std::any_of(study.points.begin(), study.points.end(), is_euler);
+  if (!euler) out.without_euler = was_run ? "Euler does not reach it" : "Euler was not run";
   return out;
 }
 
@@ -84,13 +86,12 @@ std::string winners_table(const WorkPrecision& study, bool color) {
           {{fmt::format("{:.0e}", level.level)}, {"nobody reaches it", Style::dim}, {""}, {""}, {""}, {""}});
       continue;
     }
-    table.add_row(
-        {{fmt::format("{:.0e}", level.level)},
-         {level.winner->spec, Style::bold},
-         {seconds(level.winner->cpu)},
-         {level.runner_up ? level.runner_up->spec : "nobody"},
-         {level.lead ? fmt::format("{:.2f}x", *level.lead) : ""},
-         {level.over_euler ? fmt::format("{:.3g}x", *level.over_euler) : "Euler does not reach it"}});
+    table.add_row({{fmt::format("{:.0e}", level.level)},
+                   {level.winner->spec, Style::bold},
+                   {seconds(level.winner->cpu)},
+                   {level.runner_up ? level.runner_up->spec : "nobody"},
+                   {level.lead ? fmt::format("{:.2f}x", *level.lead) : ""},
+                   {level.over_euler ? fmt::format("{:.3g}x", *level.over_euler) : level.without_euler}});
   }
   return table.text(color);
 }

@@ -43,6 +43,7 @@ struct LevelWinner {
   Number lead;                                    ///< CPU of the runner-up over that of the winner
   /// CPU of the cheapest forward Euler run that reaches the level, over the winner's; empty where none does.
   Number over_euler;
+  const char* without_euler = "";  ///< in words, where it is empty: none reaches the level, or none was run
 };
 
 /// Winners at 1e-1, 1e-2, ..., 1e-10 of the span; levels below the reference's error bar are left out.

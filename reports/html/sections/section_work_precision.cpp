@@ -82,13 +82,12 @@ std::string winners_html(const WorkPrecision& study) {
                      {}});
       continue;
     }
-    table.add_row(
-        {{.text = number_text(level.level, 1)},
-         {.text = level.winner->spec, .kind = "strong"},
-         number_cell(Number(level.winner->cpu->median)),
-         {.text = level.runner_up ? level.runner_up->spec : "nobody"},
-         {.text = level.lead ? number_text(*level.lead) + "×" : ""},
-         {.text = level.over_euler ? number_text(*level.over_euler) + "×" : "Euler does not reach it"}});
+    table.add_row({{.text = number_text(level.level, 1)},
+                   {.text = level.winner->spec, .kind = "strong"},
+                   number_cell(Number(level.winner->cpu->median)),
+                   {.text = level.runner_up ? level.runner_up->spec : "nobody"},
+                   {.text = level.lead ? number_text(*level.lead) + "×" : ""},
+                   {.text = level.over_euler ? number_text(*level.over_euler) + "×" : level.without_euler}});
   }
   return table.empty() ? "" : table.html();
 }
