@@ -98,14 +98,17 @@ class Judge {
                    const MeasuredRow& now) {
     const auto a = before.number(what), b = now.number(what);
     if (!a) return;
-    // What the reference itself may be wrong by says nothing about the method.
-    const double slack = std::max(before.number(bar).value_or(0), now.number(bar).value_or(0));
-    const bool worse = !b || !(*b <= *a * (1 + limits_.errors) + slack);
+    // What the reference itself may be wrong by says nothing about the method. Where the new reference is
+    // known less well than the recorded one was, an error that only its own bar excuses cannot be told.
+    const double bar_before = before.number(bar).value_or(0), bar_now = now.number(bar).value_or(0);
+    const double slack = std::max(bar_before, bar_now);
+    const auto exceeds = [&](double allowed) { return !b || !(*b <= *a * (1 + limits_.errors) + allowed); };
     const bool better = b && *a > *b * (1 + limits_.errors) + slack;
     add(what, shown(a), shown(b),
-        worse    ? GateVerdict::regressed
-        : better ? GateVerdict::better
-                 : GateVerdict::passed);
+        exceeds(slack)        ? GateVerdict::regressed
+        : exceeds(bar_before) ? GateVerdict::inconclusive
+        : better              ? GateVerdict::better
+                              : GateVerdict::passed);
   }
 
   void judge_balance(const std::string& what, const MeasuredRow& before, const MeasuredRow& now) {

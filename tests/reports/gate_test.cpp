@@ -107,6 +107,18 @@ TEST(Gate, ErrorsWithinTheReferencesBarSayNothing) {
   EXPECT_EQ(gate(now, before).verdict, GateVerdict::passed);
 }
 
+TEST(Gate, AnErrorThatOnlyTheBarOfAWorseReferenceExcusesCannotBeTold) {
+  const auto before = measured({}, 1);
+  auto now = measured({}, 2);
+  auto& numbers = now.cases[0].rows[1].numbers;
+  numbers["reference_error"] = 1;
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::passed) << "the errors are what they were";
+  numbers["error_rms"] *= 100;
+  const auto report = gate(now, before);
+  EXPECT_EQ(report.verdict, GateVerdict::inconclusive);
+  EXPECT_TRUE(mentions(report, "error_rms", GateVerdict::inconclusive));
+}
+
 TEST(Gate, FixedStepsToleratesNoExtraWorkAdaptiveAFiftieth) {
   const auto before = measured({}, 1);
   auto now = measured({}, 2);
