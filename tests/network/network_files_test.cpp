@@ -45,6 +45,15 @@ TEST_F(NetworkFiles, LaplaciansAndTablesOfConductancesAreToldApart) {
   EXPECT_EQ(matrix(symmetric_ + "3 3 2\n2 1 2\n3 2 3\n").graph.id, (std::vector<std::int64_t>{1, 2, 3}));
 }
 
+TEST_F(NetworkFiles, WhatAMatrixIsIsSaidWhereItIsGuessedAlone) {
+  for (const auto& [content, kind] :
+       {std::pair(symmetric_ + "2 2 3\n1 1 2\n2 1 -2\n2 2 2\n", MatrixKind::laplacian),
+        {symmetric_ + "2 2 1\n2 1 2\n", MatrixKind::conductance}}) {
+    EXPECT_EQ(matrix(content).notes.size(), 1u);
+    EXPECT_TRUE(matrix(content, kind).notes.empty());
+  }
+}
+
 TEST_F(NetworkFiles, WhatARowSumsToLeadsToSurroundings) {
   const auto input = matrix(symmetric_ + "2 2 3\n1 1 2.5\n2 1 -2\n2 2 2\n", MatrixKind::automatic, 300);
   ASSERT_EQ(input.graph.convection.size(), 1u);

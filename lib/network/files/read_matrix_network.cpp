@@ -128,7 +128,8 @@ NetworkInput network_of(const Origin& origin, MatrixMarket matrix, MatrixKind ki
                                  matrix.rows, matrix.columns));
   const std::size_t rows = matrix.rows;
   const Halves halves = split(origin, std::move(matrix));
-  if (kind == MatrixKind::automatic) kind = find_kind(halves);
+  const bool is_guess = kind == MatrixKind::automatic;
+  if (is_guess) kind = find_kind(halves);
   NetworkInput input{equal_nodes(rows), {}};
   for (auto& id : input.graph.id) id += origin.first();
   const double sign = kind == MatrixKind::laplacian ? -1 : 1;
@@ -142,8 +143,9 @@ NetworkInput network_of(const Origin& origin, MatrixMarket matrix, MatrixKind ki
     add_edge(input.graph, static_cast<std::size_t>(entry.row), static_cast<std::size_t>(entry.column),
              sign * entry.value);
   }
-  input.notes.push_back(fmt::format("{}: read as a {}", origin.name,
-                                    kind == MatrixKind::laplacian ? "Laplacian" : "table of conductances"));
+  if (is_guess)
+    input.notes.push_back(fmt::format("{}: read as a {}", origin.name,
+                                      kind == MatrixKind::laplacian ? "Laplacian" : "table of conductances"));
   if (kind == MatrixKind::laplacian) {
     add_grounds(origin, halves.diagonal, ambient, input);
   } else if (std::any_of(halves.diagonal.begin(), halves.diagonal.end(), [](double d) { return d != 0; })) {
