@@ -116,8 +116,12 @@ void write_spectrum(Text& text, const FieldHealth& field) {
   if (field.lambda_min) {
     text.row("lambda_min", "{:.5g} 1/s{}", *field.lambda_min,
              field.lambda_min_note.empty() ? "" : " (" + field.lambda_min_note + ")");
-    text.row("lambda_min / lambda_max", "{:.3e}; STS asks for 0 < nu below it (eq. 25)",
-             *field.lambda_min / field.lambda_max);
+    if (*field.lambda_min > 0)
+      text.row("lambda_min / lambda_max", "{:.3e}; STS asks for 0 < nu below it (eq. 25)",
+               *field.lambda_min / field.lambda_max);
+    else
+      text.row("lambda_min / lambda_max",
+               "0, where eq. 25 of STS has no room for nu; any nu keeps what floats");
   } else {
     text.row("lambda_min", "{}", field.lambda_min_note);
   }

@@ -31,6 +31,17 @@ TEST_F(Program, CountsAgreeWithTheirNouns) {
   EXPECT_TRUE(out().starts_with("**The run succeeded.**\n")) << out();
 }
 
+TEST_F(Program, InfoStatesNoBoundOfNuThatNothingMeets) {
+  ASSERT_EQ(run("info rod.toml"), 0) << err();
+  EXPECT_NE(out().find("STS asks for 0 < nu below it"), std::string::npos) << out();
+  folder_.write("n.csv", "id,capacity,source,initial,fixed\n1,1,0,0,\n2,1,0,1,\n");
+  folder_.write("e.csv", "i,j,conductance\n1,2,1\n");
+  folder_.write("floats.toml", "t_end = 0.1\n[network]\nnodes = \"n.csv\"\nedges = \"e.csv\"\n");
+  ASSERT_EQ(run("info floats.toml"), 0) << err();
+  EXPECT_EQ(out().find("below it"), std::string::npos) << out();
+  EXPECT_NE(out().find("lambda_min / lambda_max            0, where eq. 25"), std::string::npos) << out();
+}
+
 TEST_F(Program, RunSaysWhereTheStatesAtOutputTimesAre) {
   const auto says = [&](const std::string& arguments, const std::string& part) {
     EXPECT_EQ(run("run " + arguments), 0) << err();
