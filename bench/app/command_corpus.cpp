@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 #include "bench/app/commands.hpp"
@@ -36,24 +37,35 @@ class CorpusFileWriter {
                  [&](const CorpusRow& row) { return row.scene == scene; });
     return out;
   }
-  void write(const std::string& scene, const std::vector<CorpusRow>& rows) const {
+  void write(const std::vector<CorpusRow>& rows) const {
     auto all = done_;
     all.insert(all.end(), rows.begin(), rows.end());
-    for (const auto& row : known_) {  // what is to come may be known already
+    std::map<std::string, std::vector<CorpusRow>> now;  // of each scene
+    for (const auto& row : all) now[row.scene].push_back(row);
+    for (const auto& row : known_) {
+      const auto found = now.find(row.scene);
       const bool replaced =
-          row.scene == scene || std::any_of(done_.begin(), done_.end(),
-                                            [&](const CorpusRow& one) { return one.scene == row.scene; });
+          found != now.end() && std::any_of(found->second.begin(), found->second.end(),
+                                            [&](const CorpusRow& one) { return replaces(one, row); });
       if (!replaced) all.push_back(row);
     }
     write_file_atomically(file_, corpus_csv(all));
   }
-  void done(const std::string& scene, std::vector<CorpusRow> rows) {
-    write(scene, rows);
+  void done(std::vector<CorpusRow> rows) {
+    write(rows);
     done_.insert(done_.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
   }
   [[nodiscard]] const std::vector<CorpusRow>& rows() const noexcept { return done_; }
 
  private:
+  /// Of rows of one scene. Another state of the scene, of the build or of the machine leaves nothing of what
+  /// was known. In the same one a method replaces itself, so that those that nobody asked for this time stay;
+  /// whether there is a reference concerns all.
+  static bool replaces(const CorpusRow& now, const CorpusRow& before) {
+    const bool about_reference = (now.integrator == "reference") != (before.integrator == "reference");
+    return now.key != before.key || now.spec == before.spec || about_reference;
+  }
+
   std::string file_;
   std::vector<CorpusRow> known_, done_;
 };
@@ -124,10 +136,10 @@ int execute(const CorpusCommand& command) {
     const LoadedCase one = load_bench_case(files[k].path);
     auto rows = sweep_scene(
         std::get<Scene>(one.content), files[k].tags, options, file.known(name),
-        [&](const std::vector<CorpusRow>& so_far) { file.write(name, so_far); }, progress);
+        [&](const std::vector<CorpusRow>& so_far) { file.write(so_far); }, progress);
     if (rows.empty()) continue;
     say_scene(command, k + 1, files.size(), rows);
-    file.done(name, std::move(rows));
+    file.done(std::move(rows));
   }
   print_tables(command, file.rows());
   if (!command.common.quiet) note("points in " + folder + "/corpus.csv");

@@ -92,6 +92,16 @@ TEST_F(CorpusRun, DoesNotMeasureAgainWhatItHas) {
   }
 }
 
+TEST_F(CorpusRun, KeepsWhatIsNotAskedForThisTime) {
+  ASSERT_EQ(bench({"--integrator", "rkc:rtol=1e-3", "rock:rtol=1e-3"}), 0);
+  ASSERT_EQ(bench({"--integrator", "rkc:rtol=1e-3"}), 0);
+  EXPECT_EQ(out_.find("rock"), std::string::npos) << out_;
+  EXPECT_EQ(rows().size(), 4u) << "hours of measuring are not lost by a look at one method";
+  write_case("rod", "size = 30\nspread = 3");
+  ASSERT_EQ(bench({"--integrator", "rkc:rtol=1e-3"}), 0);
+  EXPECT_EQ(rows().size(), 3u) << "what was measured on another rod is gone";
+}
+
 TEST_F(CorpusRun, MeasuresAgainWhatHasChanged) {
   ASSERT_EQ(bench({"--integrator", "rkc:rtol=1e-3"}), 0);
   const auto before = rows();
