@@ -56,6 +56,11 @@ class Benchmarks(unittest.TestCase):
         for name in potential:
             self.assertTrue(np.isnan(np.asarray(columns[name], dtype=float)[first]).all(), name)
 
+    def test_a_time_limit_below_zero_or_none_at_all_is_refused(self):
+        for seconds in (-1.0, float("nan")):
+            with self.assertRaisesRegex(InputError, "time_limit is .*; it must be seconds, or 0"):
+                bench(network(), FEW, time_limit=seconds)
+
     def test_a_method_that_fails_is_a_row(self):
         columns = bench(network(t_end=5e3), ["forward-euler:step=50"], repetitions=1)
         row = columns["integrator"].index("forward-euler")

@@ -57,6 +57,8 @@ py::tuple bench(BoundScene& bound, const std::vector<std::string>& methods, cons
   if (!reference.empty() && reference != "none") check_specs({reference});
   if (repetitions < 1) throw InputError(fmt::format("repetitions is {}; it must be >= 1", repetitions));
   if (threads < 1) throw InputError(fmt::format("threads is {}; it must be >= 1", threads));
+  if (!(time_limit >= 0))
+    throw InputError(fmt::format("time_limit is {}; it must be seconds, or 0 for none", time_limit));
   const BoundScene::Use use(bound);
   Scene& scene = use.scene();
   prepare_for_bench(scene, bound.root());

@@ -29,7 +29,7 @@ def bench(
     reference: SPEC; "" = as the scene needs it, "none" = errors are not measured
     repetitions: timed runs of each method, interleaved
     cache: keep references of case files for the next time
-    threads: that may compute. time_limit: s of wall time of each run
+    threads: that may compute. time_limit: s of wall time of each run; 0 = none
 
     Returns the columns of results.csv by their names (reports/schema.md): lists of text and arrays of numbers, NaN
     where nothing was measured; ``pandas.DataFrame(superstep.bench(...))`` takes them. A method that fails is a row,
