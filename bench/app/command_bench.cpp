@@ -190,6 +190,7 @@ int execute(const BenchCommand& command) {
   catch_interrupts();
 
   BenchReport report = empty_report(command);
+  DataInBetween data;
   if (options.count_instructions) report.machine.push_back({"callgrind", counter_facts()});
   for (const auto& one : cases) {
     if (stop_flag()) break;
@@ -199,18 +200,19 @@ int execute(const BenchCommand& command) {
     const BenchCase& done = report.cases.back();
     if (!quiet) warn(done.warnings);
     if (command.common.json) continue;
-    if (report.cases.size() > 1) print_data("\n");
-    print_data(results_table(done, options.repetitions, options.threads, use_color(command.common.color)));
+    if (report.cases.size() > 1) data.print("\n");
+    data.print(results_table(done, options.repetitions, options.threads, use_color(command.common.color)));
   }
   report.interrupted = stop_flag();
   write_results(folder, report, cases);
-  if (command.common.json) print_data(results_json(report));
+  if (command.common.json) data.print(results_json(report));
   for (const auto& one : cases)
     if (const auto* press = std::get_if<Press>(&one.content); press && !report.interrupted)
       bench_motion(command, *press, folder, progress);
   if (!quiet && report.interrupted) note("interrupted: only what had been measured by then is written");
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
   renew_report(folder, command.report, quiet);
+  data.end();
   if (report.interrupted) return interrupted_exit_code;
   return static_cast<int>(exit_code(report));
 }
@@ -254,6 +256,7 @@ CommandEntry bench_command() {
             "moving particles: springback over hold and densification, with its spread over seeds", ""},
            {"--report", &Arguments::report, "write report.html beside the results as well", ""},
            {"--no-cache", &Arguments::no_cache, "neither read nor write cached references", ""}},
+      .takes = {.least = 0, .most = 0},
       .make = from_line};
 }
 

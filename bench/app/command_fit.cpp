@@ -127,8 +127,9 @@ int execute(const FitCommand& command) {
   const auto points = cost_points(rows);
   if (points.empty()) {
     note(
-        "fit: no row says what its cost hangs on; it needs a corpus.csv of this version, measured on one "
-        "thread");
+        "fit: no row is of a method whose cost is modelled; it needs a corpus.csv of this version, measured "
+        "on "
+        "one thread, with methods among which auto chooses");
     return static_cast<int>(ExitCode::inconclusive);
   }
   const CostConstants constants = fit_costs(points);
@@ -155,6 +156,7 @@ CommandEntry fit_command() {
       .positional = "CORPUS.csv",
       .positional_meaning = "corpus.csv of superstep bench --corpus, or several",
       .options = {{"--out", &Arguments::out, "write the constants as a header that the build takes", "FILE"}},
+      .takes = {.least = 1, .most = 0},
       .make = from_line};
 }
 

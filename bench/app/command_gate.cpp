@@ -126,6 +126,7 @@ CommandEntry compare_command() {
           .positional = "RESULTS",
           .positional_meaning = "results.json of superstep bench, or their folders; or two of bench --corpus",
           .options = {},
+          .takes = {.least = 2, .most = 2},
           .make = compare_from_line};
 }
 

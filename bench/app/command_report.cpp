@@ -62,7 +62,7 @@ CommandEntry report_command() {
               "  superstep bench cases/nial_thermal.toml --out result && superstep report result\n"
               "  superstep report result --markdown --against earlier",
           .positional = "DIR",
-          .positional_meaning = "folder with results.json, run.json or both",
+          .positional_meaning = "folder that bench, run or stability wrote",
           .options = {{"--markdown", &Arguments::markdown,
                        "print a summary for continuous integration as well", ""},
                       {"--against", &Arguments::against,

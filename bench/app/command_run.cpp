@@ -160,6 +160,7 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   Progress progress(!quiet && stderr_is_terminal());
   const ProbeSet probes(scene);
   bool all_ok = true;
+  DataInBetween data;
   std::vector<std::string> documents;  // as run.json has them
   for (std::size_t k = 0; k < specs.size() && !stop_flag(); ++k) {
     std::optional<VtkSeries> vtk;
@@ -179,11 +180,12 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
     if (command.common.json)
       documents.push_back(json);
     else if (!quiet || !run.result.outcome.ok())
-      print_data(summary(scene, specs[k], run.result, run.check, folders[k]));
+      data.print(summary(scene, specs[k], run.result, run.check, folders[k]));
     all_ok = all_ok && run.result.outcome.ok();
   }
   if (command.common.json && !documents.empty())
-    print_data(specs.size() == 1 ? documents.front() : json_list(documents));
+    data.print(specs.size() == 1 ? documents.front() : json_list(documents));
+  data.end();
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
 }

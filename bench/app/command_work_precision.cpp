@@ -39,17 +39,19 @@ int execute(const WorkPrecisionCommand& command) {
   catch_interrupts();
 
   bool measured = false;
+  DataInBetween data;
   for (const auto& one : cases) {
     if (stop_flag()) break;
     const auto& scene = std::get<Scene>(one.content);
     const WorkPrecision study = work_precision(scene, options, progress);
     for (const auto& point : study.points) measured = measured || point.ok();
-    print_data(work_precision_table(study, use_color(command.common.color)));
+    data.print(work_precision_table(study, use_color(command.common.color)));
     const std::string file = folder_of(command, scene) + "/work_precision.csv";
     write_file_atomically(file, work_precision_csv(study));
     if (!command.common.quiet) note("points in " + file);
     renew_report(folder_of(command, scene), command.report, command.common.quiet);
   }
+  data.end();
   if (stop_flag()) return interrupted_exit_code;
   return static_cast<int>(measured ? ExitCode::ok : ExitCode::inconclusive);
 }

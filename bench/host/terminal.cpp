@@ -36,6 +36,19 @@ void print_data(std::string_view text) {
     throw OutputError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
 }
 
+void DataInBetween::print(std::string_view text) {
+  if (failed_) return;
+  try {
+    print_data(text);
+  } catch (const OutputError&) {
+    failed_ = std::current_exception();
+  }
+}
+
+void DataInBetween::end() const {
+  if (failed_) std::rethrow_exception(failed_);
+}
+
 void say(std::string_view text) noexcept {
   while (!text.empty()) {
     const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());

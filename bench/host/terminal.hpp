@@ -1,6 +1,7 @@
 #pragma once
 /// What the program says on stderr, and whether it may use colours.
 
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,18 @@ enum class ColorMode { automatic, always, never };
 
 /// Data on stdout, at once. Throws OutputError when it does not get there (full disk, closed pipe).
 void print_data(std::string_view text);
+
+/// Data on stdout while a computation goes on. Where they cannot be written nothing is lost but they: `end`
+/// says so, once all results are kept.
+class DataInBetween {
+ public:
+  void print(std::string_view text);
+  /// Throws OutputError where something could not be printed.
+  void end() const;
+
+ private:
+  std::exception_ptr failed_;
+};
 
 /// Text on stderr as it is. Never throws and allocates nothing: what cannot be said is not said.
 void say(std::string_view text) noexcept;

@@ -125,7 +125,7 @@ ReportInput read_report_input(const std::string& folder) {
   if (!input.bench && input.corpus.empty() && input.press_table.empty() && input.runs.empty() &&
       input.other_studies.empty() && !input.stability)
     throw InputError(fmt::format(
-        "{}: there is neither results.json nor run.json; write one with superstep bench CASE --out {}",
+        "{}: there are no results of bench, run or stability; write some with superstep bench CASE --out {}",
         folder, folder));
   return input;
 }

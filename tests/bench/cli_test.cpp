@@ -187,6 +187,17 @@ TEST_F(Program, UnwritableOutputExitsWith7) {
   EXPECT_EQ(run("list", R"(sh -c '"$0" "$@" >/dev/full')"), 7) << err();
 }
 
+TEST_F(Program, ResultsAreKeptWhereStandardOutputIsFull) {
+  const std::string full = R"(sh -c '"$0" "$@" >/dev/full')";
+  EXPECT_EQ(run("bench rod.toml --repetitions 1 --out b", full), 7) << err();
+  EXPECT_TRUE(folder_.has("b/results.json"));
+  EXPECT_EQ(run("bench rod.toml --work-precision --integrator rkc --out w", full), 7) << err();
+  EXPECT_TRUE(folder_.has("w/work_precision.csv"));
+  EXPECT_EQ(run("run rod.toml --integrator rkc rock --out r", full), 7) << err();
+  EXPECT_TRUE(folder_.has("r/rkc/run.json"));
+  EXPECT_TRUE(folder_.has("r/rock/run.json"));
+}
+
 TEST_F(Program, AnUnstableRunExitsWith4AndRecordsItsOutcome) {
   EXPECT_EQ(run("run rod.toml --integrator forward-euler:step=0.7 --out result"), 4);
   EXPECT_FALSE(folder_.has("result/final.csv"));

@@ -1,5 +1,6 @@
 /// What documents and help texts show works as it is printed: commands are understood, cases load and run.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "bench/app/cli/cli.hpp"
+#include "bench/app/cli/command_entry.hpp"
 #include "bench/app/cli/run_program.hpp"
 #include "bench/measure/run_one.hpp"
 #include "case/scene.hpp"
@@ -94,8 +96,8 @@ TEST(Documents, EveryCommandIsUnderstood) {
 
 TEST(Documents, EveryExampleOfTheHelpIsUnderstood) {
   std::size_t seen = 0;
-  for (const char* name :
-       {"run", "bench", "info", "stability", "gate", "compare", "pack", "report", "list"}) {
+  for (const auto& entry : command_entries()) {
+    const std::string& name = entry.name;
     const auto help = parse_command_line({name, "--help"});
     for (const auto& command : commands(std::get<ShowText>(help).text)) {
       expect_understood(command, name);
@@ -103,6 +105,53 @@ TEST(Documents, EveryExampleOfTheHelpIsUnderstood) {
     }
   }
   EXPECT_GT(seen, 12U);
+}
+
+bool is_taken(const std::vector<std::string>& line) {
+  try {
+    (void)parse_command_line(line);
+    return true;
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+// As many names as the usage of a command shows are taken; one fewer and one more are not.
+TEST(Documents, UsageSaysHowManyNamesACommandTakes) {
+  constexpr std::size_t any = 99;
+  struct Shape {
+    std::string command, usage;
+    std::vector<std::string> options;
+    std::size_t least, most;
+  };
+  const std::vector<std::string> pack = {"-o", "f", "--lattice", "8", "--spacing", "1", "--diameter", "1"};
+  const Shape shapes[] = {{"run", " CASE", {}, 1, 1},
+                          {"bench", " [CASE...]", {}, 1, any},
+                          {"bench", " [CASE...]", {"--corpus"}, 0, 0},
+                          {"info", " CASE", {}, 1, 1},
+                          {"init", " FILE", {"-o", "case.toml"}, 1, 1},
+                          {"stability", " CASE", {}, 1, 1},
+                          {"gate", " RESULTS", {"--baseline", "file"}, 1, 1},
+                          {"compare", " RESULTS RESULTS", {}, 2, 2},
+                          {"fit", " CORPUS.csv...", {}, 1, any},
+                          {"report", " DIR", {}, 1, 1},
+                          {"completion", " SHELL", {}, 1, 1},
+                          {"list", "", {}, 0, 0},
+                          {"pack", "", pack, 0, 0}};
+  for (const auto& shape : shapes) {
+    const std::string help = std::get<ShowText>(parse_command_line({shape.command, "--help"})).text;
+    const std::string usage = fmt::format("Usage: superstep {} [OPTIONS]{}\n", shape.command, shape.usage);
+    EXPECT_NE(help.find(usage), std::string::npos) << help;
+    const std::string names = help.substr(0, help.find("\nOptions:"));
+    const bool listed_as_many = names.find(" ...  ") != std::string::npos;
+    EXPECT_EQ(listed_as_many, shape.usage.find("...") != std::string::npos) << names;
+    for (std::size_t n = 0; n <= 3; ++n) {
+      std::vector<std::string> line{shape.command};
+      line.insert(line.end(), n, "bash");
+      line.insert(line.end(), shape.options.begin(), shape.options.end());
+      EXPECT_EQ(is_taken(line), n >= shape.least && n <= shape.most) << usage << n;
+    }
+  }
 }
 
 /// 4 x 4 x 8 spheres of 1 mm that overlap by 5 %.

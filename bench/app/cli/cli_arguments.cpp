@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <memory>
 #include <type_traits>
 #include <variant>
 
@@ -76,9 +77,35 @@ void add_option(CLI::App& command, const OptionEntry& option, Arguments& values)
   std::visit(add, option.target);
 }
 
+/// How many positional arguments a command takes as its usage and its list of them say it: one CASE, DIR...,
+/// or [CASE...] where it does without. The parser itself takes any number, so that commands can say what is
+/// wrong.
+class CountedPositionals : public CLI::Formatter {
+ public:
+  explicit CountedPositionals(PositionalCount takes) : takes_(takes) {}
+
+  std::string make_option_usage(const CLI::Option* option) const override {
+    const std::string name = make_option_name(option, true);
+    if (many()) return fmt::format(fmt::runtime(takes_.least == 0 ? "[{}...]" : "{}..."), name);
+    std::string out = name;
+    for (std::size_t k = 1; k < takes_.most; ++k) out += " " + name;
+    return out;
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (!option->get_positional()) return CLI::Formatter::make_option_opts(option);
+    return many() ? " ..." : "";
+  }
+
+ private:
+  [[nodiscard]] bool many() const noexcept { return takes_.most == 0; }
+
+  PositionalCount takes_;
+};
+
 void add_command(CLI::App& app, const CommandEntry& entry, Arguments& values) {
   CLI::App& command = *app.add_subcommand(entry.name, entry.does);
   command.allow_extras();
+  command.formatter(std::make_shared<CountedPositionals>(entry.takes));
   command.footer("Examples:\n" + entry.examples);
   add_common(command, values);
   if (!entry.positional.empty())

@@ -43,12 +43,18 @@ struct OptionEntry {
   std::string implied = {};  ///< value where the option stands without one; empty = it must have one
 };
 
+/// How many positional arguments a command takes.
+struct PositionalCount {
+  std::size_t least = 1, most = 1;  ///< most 0 = any number
+};
+
 /// One line of the list of commands; its file command_NAME.cpp holds options, help and execution.
 struct CommandEntry {
   std::string name, does;
   std::string examples;                        ///< lines "  superstep ..."
   std::string positional, positional_meaning;  ///< "CASE"; empty = the command takes none
   std::vector<OptionEntry> options;
+  PositionalCount takes = {};                ///< of the positional
   Command (*make)(const Arguments& values);  ///< throws UsageError in one line
 };
 
