@@ -10,6 +10,7 @@
 #include "bench/harness/reference_cache.hpp"
 #include "bench/harness/reference_pair.hpp"
 #include "bench/host/machine.hpp"
+#include "bench/host/watchdog.hpp"
 #include "bench/measure/metrics.hpp"
 #include "bench/measure/run_one.hpp"
 #include "core/error.hpp"
@@ -76,7 +77,8 @@ class ReferenceSearch {
 
   ReferenceResult run() {
     ReferenceResult result;
-    find_spans_of_scene();
+    result.outcome = find_spans_of_scene();
+    if (!result.outcome.ok()) return result;
     reference_.spec = pair_.truth.text();
     Run truth = integrate(pair_.truth);
     result.outcome = truth.outcome;
@@ -117,14 +119,23 @@ class ReferenceSearch {
     double inflow = 0;
   };
 
-  void find_spans_of_scene() {
+  /// A pilot run takes its time, too.
+  Outcome find_spans_of_scene() {
     const double begin = process_cpu_seconds();
+    const RunLimits& limits = wanted_.limits;
+    const Watchdog dog(limits.seconds, wanted_.stop, limits.of_cpu);
     progress_.begin("span of the fields", scene_.t_end);
-    const Spans found = scene_spans(scene_, wanted_.stop);
+    const Spans found = scene_spans(scene_, dog.flag());
     progress_.end();
+    if (dog.time_is_up())
+      return {Status::timeout,
+              fmt::format("the span of the fields is not found after {:g} s of {} time; allow it "
+                          "more with --time-limit",
+                          limits.seconds, limits.of_cpu ? "CPU" : "wall")};
     reference_.spans = found.spans;
     reference_.spans_how = found.how;
     if (found.pilot) reference_.cpu_pilot = process_cpu_seconds() - begin;
+    return {};
   }
 
   Run integrate(const MethodSpec& spec) {

@@ -18,7 +18,7 @@ struct ReferenceRequest {
   std::string spec;  ///< empty = as the scene needs
   bool use_cache = true;
   const std::atomic<bool>* stop = nullptr;
-  RunLimits limits = {};  ///< of each of the two runs
+  RunLimits limits = {};  ///< of each of the two runs, and of the pilot runs before them
 };
 
 struct Reference {

@@ -173,5 +173,23 @@ TEST_F(CachedReferenceTest, AFailingReferenceSaysWhyAndIsNotCached) {
   EXPECT_FALSE(std::filesystem::exists(folder_.cache()));
 }
 
+// Before the two runs another one looks how far the values go: some tenths of a second here.
+TEST(ReferenceLimits, HoldForThePilotRunAsWell) {
+  const CaseFolder folder;
+  const std::string file =
+      folder.write("driven.toml",
+                   "t_end = 50\n[network]\ngenerator = \"ladder\"\nsize = 20000\ncontrast = 1e9\ninlet = 1\n"
+                   "source = { times = [0.0, 1.0], values = [1.0, 2.0] }\n");
+  const Scene scene = std::get<Scene>(load_bench_case(file).content);
+  const ProbeSet probes(scene);
+  Progress silent(false);
+  const auto found = obtain_reference(
+      scene, probes, {.use_cache = false, .limits = {.seconds = 1e-3, .of_cpu = true}}, silent);
+  EXPECT_FALSE(found.reference);
+  EXPECT_EQ(found.outcome.status, Status::timeout);
+  EXPECT_NE(found.outcome.reason.find("the span of the fields is not found after 0.001 s"), std::string::npos)
+      << found.outcome.reason;
+}
+
 }  // namespace
 }  // namespace superstep
