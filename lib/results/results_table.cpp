@@ -102,7 +102,7 @@ std::string results_table(const BenchCase& one, int repetitions, int threads, bo
                    {"CPU stepping", "median s"},
                    {"CPU stepping", "+-"},
                    {"CPU", "prepare s"},
-                   {"speedup", "CPU"},
+                   {"speedup", "stepping"},
                    {"speedup", "theory"},
                    {errors, "probe"},
                    {errors, "rms"},

@@ -120,6 +120,14 @@ TEST(ResultsTable, IsSortedByCpuWithPreparationAndEndsInTheAnswer) {
   EXPECT_TRUE(text.ends_with(answer_text(one) + "\n"));
 }
 
+TEST(ResultsTable, SaysThatSpeedupsLeavePreparationOut) {
+  auto exponential = row("exponential", 1, 1e-5, 5);
+  exponential.speedup_stepping = 8;
+  exponential.speedup_prepared = 1.333;
+  const std::string text = results_table(bench({row("forward-euler", 8, 1e-4), exponential}), 3, 1, false);
+  EXPECT_NE(text.find(" stepping  theory "), std::string::npos) << text;
+}
+
 TEST(ResultsTable, OneRepetitionHasNoSpread) {
   auto once = row("rkc", 2, 5e-4);
   once.repetitions = 1;

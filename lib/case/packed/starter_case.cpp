@@ -139,6 +139,8 @@ class Starter {
                      low));
     line("# source = [ { where = \"all\", value = 1e-6 } ]", "W each");
     line("# convection = [ { where = \"all\", coefficient = 10.0, ambient = 293.15 } ]", "W/(m2 K)");
+    line("# radiation = [ { where = \"all\", emissivity = 0.8, ambient = 293.15 } ]",
+         "K; temperatures are absolute");
   }
 
   /// Layers at both ends, or, where those would meet, the outermost particles.
