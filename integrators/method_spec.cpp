@@ -9,6 +9,11 @@
 #include "core/error.hpp"
 
 namespace superstep {
+namespace {
+
+constexpr const char* rtol_key = "rtol";
+
+}  // namespace
 
 MethodSpec::MethodSpec(const std::string& text)
     : entry_(&find_integrator(parse_spec(text).name)),
@@ -16,9 +21,8 @@ MethodSpec::MethodSpec(const std::string& text)
       rtol_(make()->rtol()) {}
 
 MethodSpec MethodSpec::with_tolerance(double rtol) const {
-  constexpr const char* tolerance = "rtol";
   if (std::none_of(entry_->keys.begin(), entry_->keys.end(),
-                   [](const OptionKey& key) { return key.name == tolerance; }))
+                   [](const OptionKey& key) { return key.name == rtol_key; }))
     throw UsageError(fmt::format(
         "{} has no relative tolerance: it takes steps of a fixed size; leave the tolerance out, or "
         "choose a method with the key 'rtol' (see superstep list)",
@@ -26,13 +30,19 @@ MethodSpec MethodSpec::with_tolerance(double rtol) const {
   std::string settings;
   bool there = false;
   for (const auto& [key, value] : options_.spec().settings) {
-    const bool replaced = key == tolerance;
+    const bool replaced = key == rtol_key;
     there = there || replaced;
     settings +=
         fmt::format("{}{}={}", settings.empty() ? ":" : ",", key, replaced ? fmt::format("{}", rtol) : value);
   }
-  if (!there) settings += fmt::format("{}{}={}", settings.empty() ? ":" : ",", tolerance, rtol);
+  if (!there) settings += fmt::format("{}{}={}", settings.empty() ? ":" : ",", rtol_key, rtol);
   return {name() + settings};
+}
+
+double MethodSpec::tightest_tolerance() const noexcept {
+  for (const auto& key : entry_->keys)
+    if (key.name == rtol_key) return key.min;
+  return 0;
 }
 
 std::string folder_name(const std::string& spec) {

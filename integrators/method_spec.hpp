@@ -28,6 +28,8 @@ class MethodSpec {
   /// The same with another tolerance. Throws UsageError when the method has none, or when `rtol` is out of
   /// range.
   [[nodiscard]] MethodSpec with_tolerance(double rtol) const;
+  /// Smallest tolerance that `with_tolerance` takes; 0 = the method has none.
+  [[nodiscard]] double tightest_tolerance() const noexcept;
 
  private:
   const IntegratorEntry* entry_;

@@ -39,16 +39,21 @@ FieldRange range_of(const Network& network, std::span<const double> values) {
 }
 
 /// Tolerance of a stretch that may use up `share` of that of the run.
-double shared(double rtol, double share, double span, const FieldRange& range) {
+///   tightest  that the method takes
+double shared(double rtol, double tightest, double share, double span, const FieldRange& range) {
   if (!(rtol > 0) || !(span > 0)) return rtol;
   constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
-  const double least = rounding * std::max(range.magnitude() / span, 1.0);
+  const double least = std::max(rounding * std::max(range.magnitude() / span, 1.0), tightest);
   return std::min(rtol, std::max(share * rtol, least));
 }
 
 }  // namespace
 
-Stretches::Stretches(std::string spec) : spec_(std::move(spec)), rtol_(MethodSpec(spec_).rtol()) {}
+Stretches::Stretches(std::string spec) : spec_(std::move(spec)) {
+  const MethodSpec method(spec_);
+  rtol_ = method.rtol();
+  tightest_ = method.tightest_tolerance();
+}
 
 Stretches::~Stretches() = default;
 Stretches::Stretches(Stretches&&) noexcept = default;
@@ -118,7 +123,7 @@ Outcome Stretches::advance(double h, std::span<double> values, double span, doub
   Outcome outcome;
   try {
     const FieldRange range = range_of(network, values);
-    const double rtol = shared(rtol_, share, span, range);
+    const double rtol = shared(rtol_, tightest_, share, span, range);
     if (!is_prepared(h, span, rtol, range)) prepare(h, span, rtol, range);
     outcome = run(h, values);
   } catch (const Refused& refused) {

@@ -53,7 +53,8 @@ class Stretches {
   void add_sources(double h, std::span<double> values) const;
 
   std::string spec_;
-  double rtol_;  // of the method; 0 = it has none
+  double rtol_ = 0;      // of the method; 0 = it has none
+  double tightest_ = 0;  // that it takes
   std::unique_ptr<NetworkRhs> rhs_;
   std::unique_ptr<Integrator> integrator_;  // null = not prepared; after rhs_, which it refers to
   double h_ = 0, span_ = 0, rtol_now_ = 0;  // that it is prepared for

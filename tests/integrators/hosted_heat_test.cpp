@@ -92,6 +92,26 @@ TEST(HostedHeat, AllCallsTogetherKeepTheTolerance) {
   EXPECT_GT(largest_difference(exact.temperatures(), start), 20) << "there is something to miss";
 }
 
+TEST(HostedHeat, ASharedToleranceStaysWithinWhatTheMethodTakes) {
+  // A short call after long ones may use up a small part of the tolerance: less than `auto` takes.
+  const auto contacts = some_contacts(20, 1);
+  const auto start = rising(20, 0, 100), capacity = rising(20, 1, 3);
+  HostedHeat heat(capacity, start, "auto:rtol=1e-8"), exact(capacity, start, "exponential:rtol=1e-12");
+  for (auto* one : {&heat, &exact}) {
+    one->set_contacts(contacts);
+    one->hold(0, 200);
+  }
+  double time = 0;
+  for (const double dt : {0.5, 1e-5, 0.5, 1e-6}) {
+    const auto outcome = heat.advance_temperatures(dt);
+    ASSERT_TRUE(outcome.ok()) << outcome.reason;
+    time += dt;
+  }
+  ASSERT_TRUE(exact.advance_temperatures(time).ok());
+  // The largest of 20 by at most sqrt(20) the mean square.
+  EXPECT_LT(largest_difference(heat.temperatures(), exact.temperatures()), std::sqrt(20.0) * 1e-8 * 200);
+}
+
 TEST(HostedHeat, HeatIsConservedWhileContactsComeAndGo) {
   const auto start = rising(80, 300, 700), capacity = rising(80, 1, 3);
   for (const char* spec : {"forward-euler", "sts:n=5,nu=1e-2", "rkc:rtol=1e-3", "rock:rtol=1e-3",
