@@ -65,7 +65,7 @@ Outcome Motion::advance(double t_out) {
   if (Outcome outcome = check(); !outcome.ok()) return outcome;
   while (state_.time < t_out) {
     if (Outcome outcome = take_step(t_out); !outcome.ok()) return outcome;
-    if (stop && *stop) return stopped();
+    if (state_.time < t_out && stop && *stop) return stopped();  // what was asked for comes first
   }
   return {};
 }

@@ -54,6 +54,23 @@ TEST_F(PressFiles, ARestartSaysOfItsRunWhatOneRunWouldHaveSaid) {
   EXPECT_NE(folder_.read("new/vtk/particles.pvd").find("timestep=\"0.025\""), std::string::npos);
 }
 
+/// A run may end between a checkpoint and the files of the same instant.
+TEST_F(PressFiles, ARestartAtAnOutputTimeWritesWhatIsOwedThere) {
+  const std::string times = "t_end = 0.04\noutput_times = [0.02, 0.04]";
+  changed("whole.toml", times, "t_end = 0.04\noutput_times = [0.01, 0.02, 0.03, 0.04]");
+  changed("part.toml", times, "t_end = 0.02\noutput_times = [0.01, 0.02]");
+  ASSERT_EQ(run("run whole.toml --vtk --out whole"), 0) << err();
+  ASSERT_EQ(run("run part.toml --vtk --checkpoint 0.02 --out part"), 0) << err();
+  const std::string owed = "snapshots/particles_0001.csv";
+  ASSERT_TRUE(std::filesystem::remove(folder_.file("part/" + owed)));
+  ASSERT_EQ(run("run whole.toml --vtk --restart part/checkpoint.bin --out part"), 0) << err();
+  EXPECT_EQ(folder_.read("part/" + owed), folder_.read("whole/" + owed));
+  EXPECT_EQ(Json::parse(folder_.read("part/run.json"))["motion"]["snapshots"],
+            Json::parse(folder_.read("whole/run.json"))["motion"]["snapshots"]);
+  for (const char* name : {"vtk/particles.pvd", "vtk/particles_0002.vtp", "vtk/contacts_0002.vtp"})
+    EXPECT_EQ(folder_.read(std::string("part/") + name), folder_.read(std::string("whole/") + name)) << name;
+}
+
 TEST_F(PressFiles, AnExportWithoutBondsLeavesNoneOfAnEarlierOne) {
   changed("loose.toml", "[dynamics.bond]\nstiffness = 1e6\nthreshold = 0.05\n", "");
   ASSERT_EQ(run("run press.toml --out out --export-packing p.csv"), 0) << err();

@@ -144,6 +144,22 @@ TEST(Outcomes, StopFlagEndsAtAStep) {
   EXPECT_EQ(motion.history().size(), 2U);
 }
 
+/// Whoever stops at the very instant that was asked for has got what he asked for.
+TEST(Outcomes, StopFlagLeavesATimeThatWasReachedReached) {
+  const Model model = quiet_model();
+  Cloud cloud;
+  cloud.add({0, 0, 0}, {1, 0, 0});
+  std::atomic<bool> stop{false};
+  Motion motion(model, cloud.particles, SteppingSettings{});
+  motion.stop = &stop;
+  motion.after_step = [&] { stop = motion.state().time >= 0.02; };
+  motion.start(cloud.state);
+  const Outcome outcome = motion.advance(0.02);
+  EXPECT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_TRUE(stop);
+  EXPECT_EQ(motion.advance(0.04).status, Status::interrupted);
+}
+
 /// A step of the motion may be a long way for what takes its temperatures.
 TEST(Outcomes, StopFlagIsObeyedInsideAThermalIntegrator) {
   Model model = quiet_model();

@@ -107,25 +107,25 @@ class Snapshots {
     const auto past = std::upper_bound(one.output_times.begin(), one.output_times.end(), begin);
     remove_snapshots(folder, anew ? 0 : static_cast<std::size_t>(past - one.output_times.begin()));
     if (!anew) earlier_ = static_cast<std::size_t>(past - one.output_times.begin());
+    owed_ = earlier_ > 0 && *(past - 1) == begin && !is_there(earlier_ - 1);
     if (command.vtk && anew) {
       vtk_.emplace(folder);
-    } else if (command.vtk) {  // frames of the instant itself stay, too
-      vtk_.emplace(folder, std::nextafter(begin, std::numeric_limits<double>::infinity()));
-      goes_on_ = has_vtk_series(folder);
+    } else if (command.vtk) {  // frames of the instant itself stay, too, but for one whose snapshot is owed
+      vtk_.emplace(folder, owed_ ? begin : std::nextafter(begin, std::numeric_limits<double>::infinity()));
+      goes_on_ = has_vtk_series(folder) && !owed_;
     } else if (anew) {
       remove_vtk_series(folder);
     } else if (!command.common.quiet && has_vtk_series(folder)) {
       note(fmt::format("{}/vtk holds the fields of an earlier run; give --vtk to go on with them", folder));
     }
   }
-  /// What a run begins with: the snapshots that are kept, and the first frame where there is none.
+  /// What a run begins with: the snapshots that are kept, the first frame where there is none, and what an
+  /// end between a checkpoint and the files of the same instant has left out.
   void begin(const Motion& motion, SinteringResult& result) {
-    for (std::size_t k = 0; k < earlier_; ++k) {
-      std::error_code ignored;
-      if (std::filesystem::is_regular_file(folder_ + "/" + snapshot_name(k), ignored))
-        list(k, one_.output_times[k], result);
-    }
+    for (std::size_t k = 0; k < earlier_; ++k)
+      if (is_there(k)) list(k, one_.output_times[k], result);
     if (!goes_on_) add_frame(motion);
+    if (owed_) write(earlier_ - 1, motion, result);
   }
   /// For ParaView, where the motion is now.
   void add_frame(const Motion& motion) {
@@ -147,6 +147,10 @@ class Snapshots {
   }
 
  private:
+  [[nodiscard]] bool is_there(std::size_t number) const {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(folder_ + "/" + snapshot_name(number), ignored);
+  }
   void list(std::size_t number, double t, SinteringResult& result) const {
     result.files.push_back(snapshot_name(number));
     result.snapshots.push_back({snapshot_name(number), t, one_.model.schedule.at(t).wall_height(t)});
@@ -157,6 +161,7 @@ class Snapshots {
   std::optional<VtkFrames> vtk_;
   std::size_t earlier_ = 0;  // snapshots of before a restart
   bool goes_on_ = false;     // with frames of before it
+  bool owed_ = false;        // the last of them, which is of the instant of the restart
 };
 
 /// Phases whose electrified walls found nobody to carry their current.
