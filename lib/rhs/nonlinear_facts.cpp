@@ -53,11 +53,13 @@ void NonlinearRhs::find_facts(const NonlinearInput& input) {
                                           [](double source) { return source != 0; }) ||
                               !potential.network.tabled_sources.empty();
     const bool sourced = reduction().any(sourced_here);
-    const double rise = electric_conductivity_ ? electric_conductivity_->largest_rise() : 1;
     thermal.has_sources = true;
-    thermal.source_rate +=
-        sourced ? std::numeric_limits<double>::infinity()
-                : rise * reduction().largest(joule_->largest_rate(potential.high - potential.low));
+    if (sourced) {
+      thermal.source_rate = std::numeric_limits<double>::infinity();
+    } else if (const double rate = reduction().largest(joule_->largest_rate(potential.high - potential.low));
+               rate > 0) {  // a line may rise without end, and nothing times that is nothing
+      thermal.source_rate += rate * (electric_conductivity_ ? electric_conductivity_->largest_rise() : 1);
+    }
   }
   if (steps_potential()) {
     facts_.pair_step = std::min(facts_.pair_step, input.potential->pair_step);
