@@ -39,8 +39,10 @@ void correct_volume(const SizeDistribution& sizes, double volume, double largest
   const auto scaled = [&](double factor) {
     auto out = diameters;
     for (double& d : out) d = std::clamp(factor * d, sizes.min, sizes.max);
-    if (sizes.kind == SizeDistribution::Kind::lognormal)
-      out.front() = diameters.front(), out.back() = diameters.back();
+    if (sizes.kind == SizeDistribution::Kind::lognormal) {
+      out.front() = diameters.front();
+      out.back() = diameters.back();
+    }
     return out;
   };
   double low = 1 - largest_correction, high = 1 + largest_correction;

@@ -59,7 +59,7 @@ void NonlinearRhs::add_of_temperature(std::size_t row, std::size_t slot, double 
 }
 
 void NonlinearRhs::update_slopes(double t, std::span<const double> y) {
-  if (!varies()) return;
+  if (!thermal_conductivity_ && !electric_conductivity_) return;
   const auto slots = temperature_slots_->on_slots(t, y.data() + temperature_offset_);
   if (thermal_conductivity_) thermal_conductivity_->update_slopes(slots);
   if (electric_conductivity_) electric_conductivity_->update_slopes(slots);

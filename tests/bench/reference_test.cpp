@@ -184,7 +184,7 @@ TEST(ReferenceLimits, HoldForThePilotRunAsWell) {
   const ProbeSet probes(scene);
   Progress silent(false);
   const auto found = obtain_reference(
-      scene, probes, {.use_cache = false, .limits = {.seconds = 1e-3, .of_cpu = true}}, silent);
+      scene, probes, {.spec = {}, .use_cache = false, .limits = {.seconds = 1e-3, .of_cpu = true}}, silent);
   EXPECT_FALSE(found.reference);
   EXPECT_EQ(found.outcome.status, Status::timeout);
   EXPECT_NE(found.outcome.reason.find("the span of the fields is not found after 0.001 s"), std::string::npos)

@@ -7,36 +7,16 @@
 #include "case/checks/effective.hpp"
 #include "case/packed/starter_case.hpp"
 #include "case/scene.hpp"
-#include "core/error.hpp"
-#include "integrators/registry.hpp"
 #include "packing/read.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/case_texts.hpp"
 
 namespace superstep {
 namespace {
 
-std::vector<double> values_at_end(const Scene& scene) {
-  Plan plan;
-  plan.output_times = {scene.t_end};
-  plan.ranges = {scene.fields[0].range_of_state()};
-  const auto integrator = make_integrator("cvode:rtol=1e-9");
-  integrator->prepare(*scene.rhs, plan);
-  integrator->start(0, scene.initial);
-  const Outcome outcome = integrator->advance(scene.t_end);
-  EXPECT_TRUE(outcome.ok()) << outcome.reason;
-  return scene.values_on_nodes(0, scene.t_end, integrator->state());
-}
+using test::values_at_end;
 
-class Inputs : public testing::Test {
+class Inputs : public test::CaseTexts {
  protected:
-  Scene load(const std::string& text) { return load_scene(folder_.write("c.toml", text)); }
-  std::string refusal(const std::string& text) {
-    return test::message_of<InputError>([&] { (void)load(text); });
-  }
-  void expect_refused(const std::string& text, const std::string& part) {
-    const auto message = refusal(text);
-    EXPECT_NE(message.find(part), std::string::npos) << "wanted: " << part << "\n   got: " << message;
-  }
   /// Four spheres in a row that overlap by 2 %, ids 1 to 4.
   void write_row() {
     folder_.write("row.csv",
@@ -57,7 +37,6 @@ class Inputs : public testing::Test {
            "1 }\n" +
            other + "\n";
   }
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(Inputs, ProfilesComeFromFilesWithStepsScalesAndPeriods) {
@@ -254,40 +233,6 @@ TEST_F(Inputs, NecksWiderThanTheirParticlesAreSaid) {
   EXPECT_NE(said.find("the first in line 3: 5 beside a radius of"), std::string::npos) << said;
 }
 
-TEST_F(Inputs, MatricesEdgeListsAndNodesWithoutCapacity) {
-  // A chain held at 0 and 8: 1 - 2 - 3 - 4, where 2 has no capacity, so that 1 and 3 are joined by 1 W/K.
-  folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n4 4 3\n2 1 2\n3 2 2\n4 3 1\n");
-  folder_.write("c.txt", "1\n0\n1\n1\n");
-  const std::string head = "t_end = 50\n[network]\nmatrix = \"K.mtx\"\ncapacity = \"c.txt\"\n";
-  const auto scene =
-      load(head + "fixed = [ { ids = [1], value = 0.0 }, { ids = [4], value = 8.0 } ]\ninitial = 1.0\n");
-  EXPECT_EQ(scene.rhs->size(), 1u);
-  const auto value = values_at_end(scene);
-  EXPECT_NEAR(value[2], 4, 1e-6);
-  EXPECT_NEAR(value[1], 2, 1e-6) << "recovered from its neighbours";
-  expect_refused("probe = 2\n" + head + "fixed = [ { ids = [1], value = 0.0 } ]\n", "has capacity 0");
-  const auto driven = load(head + "source = { times = [0, 1], values = [0, 4] }\n");
-  EXPECT_EQ(driven.fields[0].graph.tabled_sources.size(), 5u) << "that of 2 goes to its two neighbours";
-  folder_.write("e.txt", "1 2 2\n2 3 2\n3 4 0.5\n3 4 0.5\n");
-  folder_.write("f.csv", "id,value\n1,0\n4,8\n");
-  const auto list =
-      load("t_end = 50\n[network]\nedges = \"e.txt\"\ncapacity = \"c.txt\"\nfixed = \"f.csv\"\n");
-  EXPECT_NEAR(values_at_end(list)[2], 4, 1e-6);
-  EXPECT_FALSE(list.warnings.empty()) << "parallel edges are summed and said";
-  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\n", "'capacity' is missing, and edges have no");
-  folder_.write("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -1\n2 2 1\n");
-  folder_.write("net.csv", "throat.conns[0],throat.conns[1],throat.g,pore.coords[0]\n0,1,2.0,0\n,,,1\n");
-  for (const char* network :
-       {"matrix = \"m.mtx\"\n", "openpnm = \"net.csv\"\nconductance = \"throat.g\"\n"}) {
-    const Scene scene = load(std::string("t_end = 1\n[network]\n") + network);
-    EXPECT_EQ(scene.fields[0].graph.capacity[0], 1);
-    std::string notes;
-    for (const auto& note : scene.warnings) notes += note + "\n";
-    EXPECT_NE(notes.find("every node has 1"), std::string::npos) << notes;
-  }
-  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
-}
-
 TEST_F(Inputs, AnUnknownIdIsAnsweredWithThoseThatThereAre) {
   write_row();
   folder_.write("e.txt", "3 7 2\n7 12 2\n");
@@ -306,12 +251,6 @@ TEST_F(Inputs, ANumberWithoutUnitIsFollowedByNoBlank) {
   std::string all;
   for (const auto& one : load(row_case("")).warnings) all += one + "\n";
   EXPECT_NE(all.find("smallest mean coordination is 0; usual values"), std::string::npos) << all;
-}
-
-TEST_F(Inputs, SurroundingsOfALaplacianDrawTheNetworkToTheirValue) {
-  folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 3\n2 1 -2\n2 2 2\n");
-  const auto scene = load("t_end = 200\n[network]\nmatrix = \"K.mtx\"\ncapacity = 1.0\nambient = 7.0\n");
-  for (const double value : values_at_end(scene)) EXPECT_NEAR(value, 7, 1e-6);
 }
 
 TEST_F(Inputs, AStarterCaseRunsAndConductsAsThePackingDoes) {

@@ -39,8 +39,8 @@ void write_networks(const CaseFolder& folder) {
       "4 3 -1\n4 4 1\n");
   folder.write("start4.csv", "id,value\n1,0\n2,1\n3,2\n4,3\n");
   folder.write("pores.csv",
-               "pore.coords[0],pore.left,pore.volume,throat.conns[0],throat.conns[1],throat.k\n"
-               "0,True,1,0,1,2\n1,False,2,1,2,3\n2,False,3,,,\n");
+               "pore.coords[0],pore.left,pore.right,pore.volume,throat.conns[0],throat.conns[1],throat.k\n"
+               "0,True,False,1,0,1,2\n1,False,False,2,1,2,3\n2,False,True,3,,,\n");
 }
 
 /// Two particles of a press that touch, and the bond between them.

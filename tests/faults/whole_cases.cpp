@@ -184,16 +184,17 @@ Tree matrix() {
   tree["network"] =
       Tree::parse(R"({ "matrix": "K.mtx", "matrix_kind": "laplacian", "ambient": 1.0, "capacity": 1.0,
     "initial": { "column": "value", "file": "start4.csv" } })");
-  tree["network"]["fixed"] =
-      Tree::array({{{"ids", {1}}, {"value", listed_table(1)}}, {{"ids", {4}}, {"value", table_in_file(2)}}});
+  for (const auto& [key, one, other] : {std::tuple("fixed", 1, 4), {"source", 2, 3}})
+    tree["network"][key] = {{{"ids", {one}}, {"value", listed_table(1)}},
+                            {{"ids", {other}}, {"value", table_in_file(2)}}};
   return tree;
 }
 
 Tree pores() {
   Tree tree = head();
-  tree["network"] =
-      Tree::parse(R"({ "openpnm": "pores.csv", "conductance": "throat.k", "capacity": "pore.volume",
-    "initial": 0.0, "fixed": [ { "label": "pore.left", "value": 1.0 } ] })");
+  tree["network"] = Tree::parse(
+      R"({ "openpnm": "pores.csv", "conductance": "throat.k", "capacity": "pore.volume", "initial": 0.0,
+    "fixed": [ { "label": "pore.left", "value": 1.0 } ], "source": [ { "label": "pore.right", "value": 1.0 } ] })");
   return tree;
 }
 
@@ -339,8 +340,8 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"list", CaseKey::press, press_of_a_list()},
           {"necks", CaseKey::press, press_with_necks()},
           {"sized", CaseKey::press,
-           press_of_sizes(R"({ "distribution": "lognormal", "min": 0.06, "max": 0.12, "sigma": 0.2,
-             "median": 0.09 })")},
+           press_of_sizes(
+               R"({ "distribution": "lognormal", "min": 0.06, "max": 0.12, "sigma": 0.2, "median": 0.09 })")},
           {"sizes", CaseKey::press,
            press_of_sizes(R"({ "distribution": "list", "diameters": [0.08, 0.1], "weights": [1.0, 2.0] })")},
           {"named", CaseKey::press, press_of_named()},

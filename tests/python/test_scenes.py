@@ -111,6 +111,21 @@ class WaysToAScene(unittest.TestCase):
         y = np.random.default_rng(0).normal(size=30)
         np.testing.assert_allclose(scene.rhs(0, y), -dense @ y / 2, atol=1e-13)  # sums of some ten terms near 1
 
+    def test_chosen_nodes_have_sources_and_values_that_follow_time(self):
+        step = {"times": [0.0, 1.0, 1.0], "values": [4.0, 4.0, 2.0]}
+        given = {
+            "t_end": 3.0,
+            "source": [{"ids": [2], "value": step}, {"ids": [1, 2], "value": 0.5}],
+            "fixed": [{"ids": [0], "value": {"times": [0.0, 2.0], "values": [1.0, 5.0]}}],
+        }
+        chain = np.array([[1.0, -1, 0], [-1, 2, -1], [0, -1, 1]])
+        for scene in (Scene.from_edges([[0, 1], [1, 2]], 1.0, nodes=3, **given), Scene.from_matrix(chain, **given)):
+            y = np.array([7.0, 9.0])
+            np.testing.assert_allclose(scene.rhs(0.5, y), [2 - 7 + 9 - 7 + 0.5, 7 - 9 + 4.5])
+            np.testing.assert_allclose(scene.rhs(1.5, y), [4 - 7 + 9 - 7 + 0.5, 7 - 9 + 2.5])
+        with self.assertRaisesRegex(InputError, "ids run from 0 to 2"):
+            Scene.from_edges([[0, 1], [1, 2]], 1.0, **{**given, "source": [{"ids": [3], "value": 1.0}]})
+
     def test_fixed_nodes_sources_and_surroundings(self):
         dense = laplacian(30)
         ground = np.linspace(0, 1, 30)

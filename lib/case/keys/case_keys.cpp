@@ -12,8 +12,9 @@ namespace superstep {
 namespace {
 
 constexpr std::pair<unsigned, const char*> type_names[] = {
-    {CaseKey::number, "number"}, {CaseKey::integer, "integer"}, {CaseKey::boolean, "boolean"},
-    {CaseKey::text, "text"},     {CaseKey::array, "array"},     {CaseKey::table, "table"}};
+    {CaseKey::number, "number"},   {CaseKey::integer, "integer"},
+    {CaseKey::boolean, "boolean"}, {CaseKey::text, "text"},
+    {CaseKey::table, "table"},     {CaseKey::array, "array"}};  // whose elements follow
 
 std::string names_of(unsigned types, const char* plural) {
   std::vector<std::string> names;

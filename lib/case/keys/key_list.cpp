@@ -78,7 +78,9 @@ CaseKey& KeyList::table(const std::string& name, std::string meaning) {
 
 void KeyList::amount(const std::string& name, const std::string& unit, const std::string& meaning,
                      unsigned other_types) {
-  number(name, any_number, unit, meaning).types = CaseKey::number | CaseKey::table | other_types;
+  CaseKey& key = number(name, any_number, unit, meaning);
+  key.types = CaseKey::number | CaseKey::table | other_types;
+  if ((other_types & CaseKey::array) != 0) key.elements = CaseKey::table;
   numbers(name + ".times", 0, any_number, "s", "instants, ascending; two equal ones are a step");
   numbers(name + ".values", 0, any_number, unit, "the value at each instant, linear between");
   text(name + ".file", "or a table in a file, sampled as it may be");

@@ -60,8 +60,9 @@ void list_common_keys(KeyList& keys) {
       .types = CaseKey::number | CaseKey::text;
   keys.initial("K or V", "without nodes: of all, the file of a vector, or a table as below; left out = 0",
                CaseKey::text);
-  keys.list("fixed", CaseKey::table, "without nodes: a file of ids and values, or a list").types =
-      CaseKey::array | CaseKey::text;
+  keys.list("fixed", CaseKey::table,
+            "a list of nodes that are held; without nodes also a file of ids and values")
+      .types = CaseKey::array | CaseKey::text;
   keys.in("network.fixed[]", CaseKey::network);
   keys.list("ids", CaseKey::integer, "nodes that are held");
   keys.text("label", "or pores with this label: openpnm");
@@ -84,8 +85,14 @@ void list_common_keys(KeyList& keys) {
   keys.text("expect", "generator: hash of the network; another one is an error");
   keys.amount("inlet", "K or V", "generator: value at the inlet; left out = not held");
   keys.amount("outlet", "K or V", "generator: value at the outlet; left out = not held");
-  keys.amount("source", "W or A", "of each node, or a file; generator: of every sixteenth node",
-              CaseKey::text);
+  keys.amount("source", "W or A",
+              "a list of nodes with sources; without nodes also of each node, or a file; generator: of every "
+              "sixteenth node",
+              CaseKey::text | CaseKey::array);
+  keys.in("network.source[]", CaseKey::network);
+  keys.list("ids", CaseKey::integer, "nodes that have the source, each of them");
+  keys.text("label", "or pores with this label: openpnm");
+  keys.amount("value", "W or A", "the source: a number, or a table of time");
 }
 
 void list_corpus_keys(KeyList& keys) {

@@ -93,6 +93,20 @@ std::vector<std::size_t> nodes_of(TomlTable& entry, const Graph& graph, const Po
   return out;
 }
 
+/// Calls each(node, amount, entry) for the nodes of a list of { ids, value }.
+template <class Each>
+void for_entries(const TomlValue& list, double t_end, const PoreNetwork* pores, Graph& graph,
+                 const Each& each) {
+  if (list.array().empty()) list.reject("it must hold at least one entry { ids, value }");
+  for (const auto& one : list.array()) {
+    TomlTable entry = one.table();
+    const auto nodes = nodes_of(entry, graph, pores);
+    const Amount amount = read_amount(entry.require("value", "it is what the nodes have"), t_end, graph);
+    entry.finish();
+    for (const auto node : nodes) each(node, amount, one);
+  }
+}
+
 /// `fixed` is a file of ids and values, or a list of { ids, value }.
 void read_fixed(TomlTable& network, double t_end, const PoreNetwork* pores, Graph& graph) {
   const auto fixed = network.find("fixed");
@@ -103,27 +117,46 @@ void read_fixed(TomlTable& network, double t_end, const PoreNetwork* pores, Grap
       if (values.given[k]) fix(graph, k, {values.value[k], -1}, *fixed);
     return;
   }
-  if (fixed->array().empty()) fixed->reject("it must hold at least one entry { ids, value }");
-  for (const auto& value : fixed->array()) {
-    TomlTable entry = value.table();
-    const auto nodes = nodes_of(entry, graph, pores);
-    const Amount amount = read_amount(entry.require("value", "it is the fixed value"), t_end, graph);
-    entry.finish();
-    for (const auto node : nodes) fix(graph, node, amount, value);
-  }
+  for_entries(*fixed, t_end, pores, graph, [&](std::size_t node, const Amount& amount, const TomlValue& at) {
+    fix(graph, node, amount, at);
+  });
 }
 
-/// A file with a source for each node, or one amount for all of them.
-void read_source(TomlTable& network, double t_end, Graph& graph) {
+void add_source(Graph& graph, std::size_t node, const Amount& amount) {
+  if (amount.table < 0)
+    graph.source[node] += amount.value;
+  else
+    graph.tabled_sources.push_back({static_cast<std::int32_t>(node), amount.table});
+}
+
+/// A list of { ids, value }: each of its nodes has that source, beside what it may have already.
+void read_source_list(const TomlValue& list, double t_end, const PoreNetwork* pores, Graph& graph) {
+  for_entries(list, t_end, pores, graph, [&](std::size_t node, const Amount& amount, const TomlValue& at) {
+    if (graph.is_fixed[node])
+      at.reject(fmt::format("node {} is fixed: a source there does nothing", graph.id[node]));
+    add_source(graph, node, amount);
+  });
+}
+
+/// A file with a source for each node, one amount for all of them, or a list of nodes with theirs. Once it is
+/// known which nodes are fixed.
+void read_source(TomlTable& network, double t_end, const PoreNetwork* pores, Graph& graph) {
   const auto source = network.find("source");
   if (!source) return;
   if (source->is_string()) return read_vector(network, "source", graph.id, graph.source);
+  if (source->is_array()) return read_source_list(*source, t_end, pores, graph);
   const Amount amount = read_amount(*source, t_end, graph);
-  for (std::size_t k = 0; k < graph.nodes(); ++k)
-    if (amount.table < 0)
-      graph.source[k] = amount.value;
-    else
-      graph.tabled_sources.push_back({static_cast<std::int32_t>(k), amount.table});
+  for (std::size_t k = 0; k < graph.nodes(); ++k) add_source(graph, k, amount);
+}
+
+/// Beside a table of nodes: lists of nodes whose values follow a table of time, or are not in it.
+void read_lists(TomlTable& network, double t_end, Graph& graph) {
+  for (const char* key : {"fixed", "source"})
+    if (const auto value = network.find(key); value && !value->is_array())
+      value->reject(fmt::format(
+          "nodes has a column of that name; give a list of nodes beside it: {} = [ {{ ids, value }} ]", key));
+  read_fixed(network, t_end, nullptr, graph);
+  read_source(network, t_end, nullptr, graph);
 }
 
 /// What the files of nodes hold, for networks that come without one.
@@ -136,13 +169,13 @@ void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, 
       if (const auto stated = network.find("capacity")) stated->reject(rule);
       throw InputError(fmt::format("{}: {}", network.where(), rule));  // an array
     }
-  read_source(network, t_end, graph);
   const auto initial = network.find("initial");
   if (initial && initial->is_string())
     read_vector(network, "initial", graph.id, graph.initial);
   else if (initial)
     graph.initial = read_initial(network, graph.id, nullptr);
   read_fixed(network, t_end, pores, graph);
+  read_source(network, t_end, pores, graph);
 }
 
 NetworkInput read_pores(TomlTable& network, const TomlValue& file, double t_end) {
@@ -201,11 +234,14 @@ NetworkInput read_network_files(TomlTable& network, double t_end, const NetworkA
         "edges",
         "give nodes and edges (CSV with id,capacity,source,initial,fixed and i,j,conductance), a matrix, "
         "or openpnm");
-  if (nodes)
-    return read_named_file(*nodes, [&](const auto& of_nodes) {
+  if (nodes) {
+    NetworkInput input = read_named_file(*nodes, [&](const auto& of_nodes) {
       return read_named_file(*edges,
                              [&](const auto& of_edges) { return read_nodes_and_edges(of_nodes, of_edges); });
     });
+    read_lists(network, t_end, input.graph);
+    return input;
+  }
   if (!network.find("capacity"))
     network.missing("capacity",
                     "key 'capacity' is missing, and edges have no capacities: give one number for all nodes "

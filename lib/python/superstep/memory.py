@@ -33,6 +33,10 @@ def _is_array(value: Any) -> bool:
     )
 
 
+def is_list_of_tables(value: Any) -> bool:
+    return isinstance(value, Sequence) and len(value) > 0 and all(isinstance(v, Mapping) for v in value)
+
+
 def _spheres(case: dict[str, Any], name: str) -> Optional[Arrays]:
     packing = case.get("packing")
     if not isinstance(packing, dict) or not {"centres", "radii"} & packing.keys():

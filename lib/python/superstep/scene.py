@@ -62,7 +62,8 @@ class Scene:
         - ``network``: ``matrix``, symmetric, Laplacian or conductances in W/K or S, of SciPy, as
           (data, indices, indptr) of compressed rows, or dense; or ``edges`` (m, 2) of nodes counted from 0 with
           ``conductance`` (m,); ``capacity`` (J/K or F), ``source`` (W or A), ``initial`` and ``fixed`` (K or V,
-          NaN where a node is free), (n,) each
+          NaN where a node is free), (n,) each; ``source`` and ``fixed`` may be lists of nodes as in a case file,
+          their ``ids`` counted from 0
 
         name: of the case, with which errors begin. folder: where files that it names are.
         Raises InputError, with the key, or the array and the position in it.
@@ -122,9 +123,9 @@ class Scene:
         *,
         t_end: float,
         capacity: Union[float, ArrayLike] = 1.0,
-        source: Union[float, ArrayLike] = 0.0,
+        source: Union[float, ArrayLike, Sequence[Mapping[str, Any]]] = 0.0,
         initial: Union[float, ArrayLike] = 0.0,
-        fixed: Optional[ArrayLike] = None,
+        fixed: Union[None, ArrayLike, Sequence[Mapping[str, Any]]] = None,
         kind: str = "auto",
         ambient: float = 0.0,
         field: str = "temperature",
@@ -138,8 +139,10 @@ class Scene:
         kind: "laplacian" (off the diagonal -K_ij; what a row sums to leads to surroundings at ``ambient``),
             "conductance" (off the diagonal K_ij, no diagonal), or "auto": by the signs
         capacity: J/K or F, a number or (n,), >= 0; 0 = the value follows from the neighbours at every instant
-        source: W or A, a number or (n,). initial: K or V, a number or (n,)
-        fixed: K or V, (n,), NaN where a node is free; None = all are
+        source: W or A, a number or (n,), or a list of nodes, counted from 0, with theirs, which may follow time:
+            ``[{"ids": [5], "value": {"times": [0, 1, 1], "values": [2, 2, 0]}}]``
+        initial: K or V, a number or (n,)
+        fixed: K or V, (n,), NaN where a node is free; or such a list; None = all are free
         t_end, output_times: s
         case: further tables and keys of a case, which go before those that stand here
         Raises InputError.
@@ -155,9 +158,9 @@ class Scene:
         *,
         t_end: float,
         capacity: Union[float, ArrayLike] = 1.0,
-        source: Union[float, ArrayLike] = 0.0,
+        source: Union[float, ArrayLike, Sequence[Mapping[str, Any]]] = 0.0,
         initial: Union[float, ArrayLike] = 0.0,
-        fixed: Optional[ArrayLike] = None,
+        fixed: Union[None, ArrayLike, Sequence[Mapping[str, Any]]] = None,
         nodes: Optional[int] = None,
         field: str = "temperature",
         output_times: Optional[ArrayLike] = None,
@@ -192,7 +195,7 @@ class Scene:
     ) -> Scene:
         network.update(capacity=capacity, source=source, initial=initial, field=field)
         if fixed is not None:
-            network["fixed"] = arrays.numbers(fixed, f"{name}: fixed")
+            network["fixed"] = fixed if memory.is_list_of_tables(fixed) else arrays.numbers(fixed, f"{name}: fixed")
         return cls.from_dict(_merged({"t_end": t_end, "network": network}, output_times, case), name=name)
 
     # What it is.

@@ -1,0 +1,82 @@
+/// Cases that take networks as people have them: matrices, edges, tables of nodes.
+
+#include "support/case_texts.hpp"
+
+namespace superstep {
+namespace {
+
+using test::values_at_end;
+
+class NetworkInputs : public test::CaseTexts {};
+
+TEST_F(NetworkInputs, MatricesEdgeListsAndNodesWithoutCapacity) {
+  // A chain held at 0 and 8: 1 - 2 - 3 - 4, where 2 has no capacity, so that 1 and 3 are joined by 1 W/K.
+  folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n4 4 3\n2 1 2\n3 2 2\n4 3 1\n");
+  folder_.write("c.txt", "1\n0\n1\n1\n");
+  const std::string head = "t_end = 50\n[network]\nmatrix = \"K.mtx\"\ncapacity = \"c.txt\"\n";
+  const auto scene =
+      load(head + "fixed = [ { ids = [1], value = 0.0 }, { ids = [4], value = 8.0 } ]\ninitial = 1.0\n");
+  EXPECT_EQ(scene.rhs->size(), 1u);
+  const auto value = values_at_end(scene);
+  EXPECT_NEAR(value[2], 4, 1e-6);
+  EXPECT_NEAR(value[1], 2, 1e-6) << "recovered from its neighbours";
+  expect_refused("probe = 2\n" + head + "fixed = [ { ids = [1], value = 0.0 } ]\n", "has capacity 0");
+  const auto driven = load(head + "source = { times = [0, 1], values = [0, 4] }\n");
+  EXPECT_EQ(driven.fields[0].graph.tabled_sources.size(), 5u) << "that of 2 goes to its two neighbours";
+  folder_.write("e.txt", "1 2 2\n2 3 2\n3 4 0.5\n3 4 0.5\n");
+  folder_.write("f.csv", "id,value\n1,0\n4,8\n");
+  const auto list =
+      load("t_end = 50\n[network]\nedges = \"e.txt\"\ncapacity = \"c.txt\"\nfixed = \"f.csv\"\n");
+  EXPECT_NEAR(values_at_end(list)[2], 4, 1e-6);
+  EXPECT_FALSE(list.warnings.empty()) << "parallel edges are summed and said";
+  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\n", "'capacity' is missing, and edges have no");
+  folder_.write("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -1\n2 2 1\n");
+  folder_.write("net.csv", "throat.conns[0],throat.conns[1],throat.g,pore.coords[0]\n0,1,2.0,0\n,,,1\n");
+  for (const char* network :
+       {"matrix = \"m.mtx\"\n", "openpnm = \"net.csv\"\nconductance = \"throat.g\"\n"}) {
+    const Scene scene = load(std::string("t_end = 1\n[network]\n") + network);
+    EXPECT_EQ(scene.fields[0].graph.capacity[0], 1);
+    std::string notes;
+    for (const auto& note : scene.warnings) notes += note + "\n";
+    EXPECT_NE(notes.find("every node has 1"), std::string::npos) << notes;
+  }
+  expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
+}
+
+/// A current that is fed into one node of a network, however that comes: 1 - 2 - 3 held at 1.
+TEST_F(NetworkInputs, SourcesAtChosenNodesOfANetworkMayFollowTime) {
+  folder_.write("e.csv", "i,j,conductance\n1,2,1\n2,3,1\n");
+  folder_.write("n.csv", "id,capacity,source,initial,fixed\n1,1,0,0,\n2,1,0.25,0,\n3,1,0,0,\n");
+  folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n2 1 1\n3 2 1\n");
+  const std::string begin = "t_end = 200\n[network]\n",
+                    held = "fixed = [ { ids = [1], value = { times = [0, 30], values = [7, 0] } } ]\n",
+                    step = "source = [ { ids = [3], value = { times = [0, 1, 1], values = [9, 9, 2] } }, ",
+                    rest = " ]\n";
+  // In the end 2 W enter at 3, and with the table of nodes 0.25 W at 2 as well.
+  const std::string other = "{ ids = [2, 3], value = 0.5 }";
+  const auto listed =
+      values_at_end(load(begin + "nodes = \"n.csv\"\nedges = \"e.csv\"\n" + held + step + other + rest));
+  EXPECT_NEAR(listed[1], 3.25, 1e-6);
+  EXPECT_NEAR(listed[2], 5.75, 1e-6);
+  for (const std::string network : {"matrix = \"K.mtx\"\n", "edges = \"e.csv\"\ncapacity = 1\n"}) {
+    const auto value = values_at_end(load(begin + network + held + step + other + rest));
+    EXPECT_NEAR(value[1], 3, 1e-6);
+    EXPECT_NEAR(value[2], 5.5, 1e-6);
+  }
+  const std::string nodes = begin + "nodes = \"n.csv\"\nedges = \"e.csv\"\n";
+  expect_refused(nodes + held + "source = [ { ids = [1], value = 1 } ]\n", "node 1 is fixed: a source there");
+  expect_refused(nodes + "source = [ { ids = [4], value = 1 } ]\n", "ids run from 1 to 3");
+  expect_refused(nodes + "source = []\n", "at least one entry");
+  expect_refused(nodes + "source = 1.0\n", "nodes has a column of that name");
+  expect_refused(nodes + "fixed = \"f.csv\"\n", "nodes has a column of that name");
+  expect_refused(nodes + "initial = 1.0\n", "initial");
+}
+
+TEST_F(NetworkInputs, SurroundingsOfALaplacianDrawTheNetworkToTheirValue) {
+  folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 3\n2 1 -2\n2 2 2\n");
+  const auto scene = load("t_end = 200\n[network]\nmatrix = \"K.mtx\"\ncapacity = 1.0\nambient = 7.0\n");
+  for (const double value : values_at_end(scene)) EXPECT_NEAR(value, 7, 1e-6);
+}
+
+}  // namespace
+}  // namespace superstep
