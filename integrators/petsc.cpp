@@ -25,17 +25,20 @@ namespace {
 
 struct Loaded {
   petsc::MakeRun* make_run = nullptr;
+  petsc::WasBuiltWith* was_built_with = nullptr;
   std::string why_not;
 };
 
 Loaded load_petsc() {
   const LoadedModule module(petsc::module_file);
-  if (!module.why_not().empty()) return {nullptr, module.why_not()};
+  if (!module.why_not().empty()) return {.why_not = module.why_not()};
   auto* const initialize = module.function<petsc::Initialize>(petsc::initialize_name);
   auto* const make_run = module.function<petsc::MakeRun>(petsc::make_run_name);
-  if (!initialize || !make_run) return {nullptr, "it is of another version of the program"};
-  if (!(*initialize)()) return {nullptr, "it does not start"};
-  return {make_run, ""};
+  auto* const was_built_with = module.function<petsc::WasBuiltWith>(petsc::was_built_with_name);
+  if (!initialize || !make_run || !was_built_with)
+    return {.why_not = "it is of another version of the program"};
+  if (!(*initialize)()) return {.why_not = "it does not start"};
+  return {make_run, was_built_with, ""};
 }
 
 /// Loaded and initialised once, where the first method is made: that is no part of any run's preparation.
@@ -129,10 +132,14 @@ double PetscTimeStepping::share() const {
 }
 
 void PetscTimeStepping::prepare(Rhs& rhs, const Task& task) {
-  const auto& [make_run, why_not] = loaded_petsc();
+  const auto& [make_run, was_built_with, why_not] = loaded_petsc();
   if (!make_run)
     throw Refused(
         fmt::format("PETSc cannot be loaded ({}); install libpetsc-real-dev and build again", why_not));
+  if (linsol_ == "hypre" && !(*was_built_with)("hypre"))
+    throw Refused(
+        "PETSc was built without hypre, which linsol=hypre asks for; take linsol=cg or linsol=gmres, or "
+        "build PETSc with it");
   run_.reset();
   rhs_ = &rhs;
   plan_ = task.plan;
@@ -148,6 +155,8 @@ void PetscTimeStepping::prepare(Rhs& rhs, const Task& task) {
   setup.order = order_;
   if (method_ == "rosw") setup.scheme = scheme_of(order_);
   setup.solver = solver_for(rhs);
+  for (const auto& field : rhs.fields())
+    setup.field_end.push_back(static_cast<std::int32_t>(field.offset + field.count));
   take_pattern(setup);
   mass_.assign(rhs.size(), 1.0);
   if (rhs.traits().symmetric) std::copy_n(rhs.capacities().begin(), mass_.size(), mass_.begin());
@@ -179,6 +188,7 @@ petsc::Solver PetscTimeStepping::solver_for(const Rhs& rhs) {
   }
   if (name == "lu") return petsc::Solver::lu;
   if (name == "gmres") return petsc::Solver::gmres;
+  if (name == "hypre") return symmetric ? petsc::Solver::multigrid_cg : petsc::Solver::multigrid_gmres;
   if (!symmetric)
     throw Refused("linsol=" + name + " needs a symmetric system; take linsol=gmres, or linsol=lu");
   return name == "cg" ? petsc::Solver::cg : petsc::Solver::cholesky;
@@ -321,12 +331,14 @@ IntegratorEntry petsc_entry() {
                 .meaning = "of bdf, fixed; of rosw 2, 3 or 4: its schemes 2p, ra34pw2, 4l"},
                {.name = "linsol",
                 .type = OptionKey::Type::word,
-                .words = {"auto", "lu", "cholesky", "cg", "gmres"},
+                .words = {"auto", "lu", "cholesky", "cg", "gmres", "hypre"},
                 .fallback = "auto",
-                .meaning = "sparse LU (KLU), sparse Cholesky (CHOLMOD), conjugate gradients or GMRES "
-                           "behind incomplete factors, all through PETSc"}},
+                .meaning =
+                    "sparse LU (KLU), sparse Cholesky (CHOLMOD), conjugate gradients or GMRES "
+                    "behind incomplete factors, or either of them behind hypre's algebraic multigrid "
+                    "(last bits may change with its version, threads and processes), all through PETSc"}},
       .examples = {"petsc:rtol=1e-7,method=rosw", "petsc:rtol=1e-7,order=4", "petsc:rtol=1e-8,linsol=cg",
-                   "petsc:rtol=1e-6,linsol=lu"},
+                   "petsc:rtol=1e-6,linsol=lu", "petsc:rtol=1e-7,linsol=hypre"},
       .representatives = {"petsc:rtol=1e-3"},
       .ladder = joined({rtol_ladder("petsc", 2, 4, 2), rtol_ladder("petsc:order=5", 4, 8, 2),
                         rtol_ladder("petsc:method=rosw", 2, 4, 2),

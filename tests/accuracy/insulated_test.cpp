@@ -54,7 +54,8 @@ class Insulated : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Iterations, Insulated,
                          testing::Values("cvode:rtol=1e-4,linsol=gmres", "cvode:rtol=1e-4,linsol=pcg",
                                          "arkode:rtol=1e-4,linsol=gmres", "petsc:rtol=1e-4,linsol=gmres",
-                                         "esdirk:rtol=1e-4,solver=pcg", "exprb:rtol=1e-4", "auto:rtol=1e-4"),
+                                         "petsc:rtol=1e-4,linsol=hypre", "esdirk:rtol=1e-4,solver=pcg",
+                                         "exprb:rtol=1e-4", "auto:rtol=1e-4"),
                          [](const auto& spec) {
                            std::string name = spec.param;
                            for (char& c : name)

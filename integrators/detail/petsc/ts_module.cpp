@@ -1,80 +1,23 @@
-/// The only file with PETSc's time stepping (TS): a module of its own, loaded where a run asks for it.
+/// The only file with PETSc's time stepping (TS): with its neighbours a module of its own, loaded where a run
+/// asks for it.
 /// Source: Abhyankar et al. (2018), PETSc/TS: A Modern Scalable ODE/DAE Solver Library, arXiv:1806.01437.
 
 #include <petscts.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "integrators/detail/petsc/multigrid.hpp"
+#include "integrators/detail/petsc/package.hpp"
 #include "integrators/detail/petsc/ts_run.hpp"
 
 namespace superstep::petsc {
 namespace {
-
-std::string last_message;  // of the package; runs take it from here
-
-PetscErrorCode keep_message(MPI_Comm, int, const char* function, const char*, PetscErrorCode code,
-                            PetscErrorType kind, const char* text, void*) {
-  if (kind == PETSC_ERROR_INITIAL)
-    last_message = std::string(function ? function : "") + ": " + (text ? text : "");
-  return code;
-}
-
-void check(PetscErrorCode code, const char* what) {
-  if (code == 0) return;
-  throw std::runtime_error(std::string("PETSc: ") + what + " failed: " + last_message);
-}
-
-struct Finish {
-  ~Finish() {
-    PetscBool over = PETSC_FALSE;
-    PetscFinalized(&over);
-    if (!over) PetscFinalize();
-  }
-};
-
-/// Once, for the whole life of the program; where a launcher started it, that has been done.
-void initialize() {
-  PetscBool there = PETSC_FALSE;
-  PetscInitialized(&there);
-  if (!there) {
-    // MPI is alone here: it starts no helper and leaves signals to the program.
-    ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-    ::setenv("OMPI_MCA_opal_signal", "", 0);
-    // Two programs that begin at once would make and remove the same folder under each other's feet.
-    ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-    for (const char* option : {"-skip_petscrc", "-no_signal_handler", "-options_left"})
-      check(PetscOptionsSetValue(nullptr, option, option == std::string("-options_left") ? "no" : nullptr),
-            "an option");
-    check(PetscInitializeNoArguments(), "PetscInitialize");
-    static const Finish finish;
-  }
-  static const bool errors_are_kept = [] {
-    check(PetscPushErrorHandler(keep_message, nullptr), "PetscPushErrorHandler");
-    return true;
-  }();
-  (void)errors_are_kept;
-}
-
-template <class Handle, auto destroy>
-class Owned {
- public:
-  Owned() = default;
-  ~Owned() { destroy(&handle_); }
-  Owned(const Owned&) = delete;
-  Owned& operator=(const Owned&) = delete;
-  operator Handle() const noexcept { return handle_; }
-  Handle* fill() noexcept { return &handle_; }
-
- private:
-  Handle handle_ = nullptr;
-};
 
 class TimeStepping final : public Run {
  public:
@@ -143,8 +86,19 @@ class TimeStepping final : public Run {
  private:
   bool done(PetscErrorCode code, const char* what) {
     if (code == 0) return true;
-    message_ = std::string(what) + ": " + last_message;
+    message_ = std::string(what) + ": " + last_message();
     return false;
+  }
+
+  [[nodiscard]] bool has_multigrid() const noexcept {
+    return setup_.solver == Solver::multigrid_cg || setup_.solver == Solver::multigrid_gmres;
+  }
+  [[nodiscard]] bool is_for_symmetric() const noexcept {
+    return setup_.solver == Solver::cholesky || setup_.solver == Solver::cg ||
+           setup_.solver == Solver::multigrid_cg;
+  }
+  [[nodiscard]] bool iterates() const noexcept {
+    return setup_.solver != Solver::lu && setup_.solver != Solver::cholesky;
   }
 
   void create_objects() {
@@ -159,7 +113,7 @@ class TimeStepping final : public Run {
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, setup_.row_begin.data(), setup_.column.data(),
                                     values_.data(), matrix_.fill()),
           "MatCreateSeqAIJWithArrays");
-    if (setup_.solver == Solver::cholesky || setup_.solver == Solver::cg)
+    if (is_for_symmetric())
       for (const MatOption option : {MAT_SPD, MAT_SPD_ETERNAL, MAT_SYMMETRIC, MAT_SYMMETRY_ETERNAL})
         check(MatSetOption(matrix_, option, PETSC_TRUE), "MatSetOption");
     check(TSCreate(PETSC_COMM_SELF, ts_.fill()), "TSCreate");
@@ -204,16 +158,23 @@ class TimeStepping final : public Run {
     PC pc = nullptr;
     check(SNESGetKSP(snes, &ksp), "SNESGetKSP");
     check(KSPGetPC(ksp, &pc), "KSPGetPC");
-    if (setup_.solver == Solver::cg || setup_.solver == Solver::gmres) {
-      const bool cg = setup_.solver == Solver::cg;
+    if (iterates()) {
+      const bool cg = is_for_symmetric();
       check(KSPSetType(ksp, cg ? KSPCG : KSPGMRES), "KSPSetType");
       check(KSPSetTolerances(ksp, setup_.residual, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT),
             "KSPSetTolerances");
-      check(PCSetType(pc, cg ? PCICC : PCILU), "PCSetType");
+      if (has_multigrid())
+        choose_multigrid(pc, setup_.field_end);
+      else
+        check(PCSetType(pc, cg ? PCICC : PCILU), "PCSetType");
       // What it stops at is the residual itself: an incomplete factor hides changes that all values share.
       if (!cg) check(KSPSetPCSide(ksp, PC_RIGHT), "KSPSetPCSide");
       return;
     }
+    choose_factors(ksp, pc);
+  }
+
+  void choose_factors(KSP ksp, PC pc) {
     const bool cholesky = setup_.solver == Solver::cholesky;
     check(KSPSetType(ksp, KSPPREONLY), "KSPSetType");
     check(PCSetType(pc, cholesky ? PCCHOLESKY : PCLU), "PCSetType");
@@ -273,6 +234,11 @@ extern "C" bool superstep_initialize_petsc() {
   } catch (const std::exception&) {
     return false;
   }
+}
+
+extern "C" bool superstep_petsc_was_built_with(const char* package) {
+  PetscBool there = PETSC_FALSE;
+  return PetscHasExternalPackage(package, &there) == 0 && there;
 }
 
 extern "C" superstep::petsc::Run* superstep_make_petsc_run(const superstep::petsc::Setup& setup,

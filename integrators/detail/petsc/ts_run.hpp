@@ -18,7 +18,8 @@ class Problem {
   virtual bool matrix(double t, const double* y, double shift, double* values) = 0;
 };
 
-enum class Solver : char { lu, cholesky, cg, gmres };
+/// Iterations stand behind incomplete factors, or behind hypre's algebraic multigrid.
+enum class Solver : char { lu, cholesky, cg, gmres, multigrid_cg, multigrid_gmres };
 
 struct Setup {
   std::vector<std::int32_t> row_begin, column;  ///< compressed rows of the matrix
@@ -28,6 +29,7 @@ struct Setup {
   std::string type, scheme;                     ///< "bdf" or "rosw"; of the latter the scheme's name
   int order = 0;                                ///< of bdf
   Solver solver = Solver::lu;
+  std::vector<std::int32_t> field_end;  ///< [fields] where each ends; a multigrid is made for each alone
   double residual = 0;  ///< of a linear system, relative, where it is solved by iterations [-]
 };
 
@@ -49,11 +51,14 @@ class Run {
   [[nodiscard]] virtual const std::string& message() const noexcept = 0;
 };
 
-/// Names of the module and of the function in it that makes a run; that one throws std::runtime_error.
+/// Names of the module and of the functions in it; the one that makes a run throws std::runtime_error.
 inline constexpr const char* module_file = "libsuperstep_petsc.so";
 inline constexpr const char* make_run_name = "superstep_make_petsc_run";
 using MakeRun = Run*(const Setup& setup, Problem& problem);
 inline constexpr const char* initialize_name = "superstep_initialize_petsc";
 using Initialize = bool();
+/// Whether the package was built with another one, such as "hypre".
+inline constexpr const char* was_built_with_name = "superstep_petsc_was_built_with";
+using WasBuiltWith = bool(const char* package);
 
 }  // namespace superstep::petsc
