@@ -82,7 +82,7 @@ class Runner:
                 record = json.load(file)
             hashes = [hashlib.sha256(open(f"{folder}/{name}", "rb").read()).hexdigest()
                       for name in ("final.csv", "probes.csv")]
-            counts = [record["counts"][name] for name in COUNTS]
+            counts = [record["counts"][name] for name in COUNTS] + [record[name] for name in ("nodes", "contacts")]
             found[f"{record['integrator']}:{record['params']}"] = (hashes, counts, record)
         if len(found) != len(specs):
             self.faults.append(f"{scene}, {processes} processes: {len(found)} results for {len(specs)} runs")

@@ -44,12 +44,16 @@ struct OwnLayers {
   std::uint64_t edges = 0, limited_necks = 0;
 };
 
-/// A contact is its first sphere's.
-void count_contacts(const ReadLayers& read, const LayeredNodes& nodes, OwnLayers& own) {
+/// A contact is its first sphere's. Of nodes before `first` and from `end` on others count, or an earlier or
+/// later stretch does.
+void count_contacts(const ReadLayers& read, const LayeredNodes& nodes, std::int64_t first, std::int64_t end,
+                    OwnLayers& own) {
+  first = std::max(first, nodes.begin);
+  end = std::min(end, nodes.end);
   const Contacts& contacts = read.packed.contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const std::int64_t node = contacts.i[k] + read.first_node();
-    if (node < nodes.begin || node >= nodes.end) continue;
+    if (node < first || node >= end) continue;
     ++own.edges;
     if (contacts.neck_radius[k] >= 0.5 * nodes.lattice().diameter) ++own.limited_necks;
   }
@@ -62,7 +66,7 @@ void read_own_layers(const Partition& partition, double origin, LayeredNodes& no
     const std::int64_t from = std::max<std::int64_t>(0, first - 1), to = std::min(last + 1, lattice.cells[2]);
     ReadLayers read = nodes.reader().read(from, to, true);
     const std::int64_t first_node = read.first_node();
-    count_contacts(read, nodes, own);
+    count_contacts(read, nodes, first * lattice.layer(), last * lattice.layer(), own);
     Scene checked;
     checked.file = scene.file;
     checked.output_times = scene.output_times;
