@@ -7,7 +7,7 @@
 
 #include "bench/host/machine.hpp"
 #include "bench/measure/scene_facts.hpp"
-#include "bench/measure/shared/shared_layers.hpp"
+#include "bench/measure/shared/layered_lines.hpp"
 #include "bench/output/output_folder.hpp"
 #include "bench/output/snapshot_files.hpp"
 #include "case/checks/effective.hpp"
@@ -48,6 +48,19 @@ void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& hist
   append(out, "\n");
 }
 
+constexpr std::string_view layered_head = "id,x,y,z,r,temperature\n";
+
+/// By all processes at once where they can reach the file, else through the root.
+void write_final_file(const std::string& path, const Scene& scene, double t, std::span<const double> state) {
+  const auto together = [&](const std::string& temporary) {
+    const auto [reached, failure] = write_layered_lines(scene, state, layered_head, temporary);
+    if (failure) throw write_error(path, *failure);
+    return reached;
+  };
+  if (scene.layers && fill_file_atomically(path, together)) return;
+  write_file_atomically(path, [&](const PieceWriter& write) { write_final_csv(scene, t, state, write); });
+}
+
 /// Resistance, current and heat of a scene whose potential is steady, as it ends: they cost one solve more.
 std::optional<SteadyCurrent> steady_current(const Scene& scene, const RunResult& run,
                                             std::span<const double> final_state) {
@@ -68,7 +81,7 @@ void write_final_csv(const Scene& scene, double t, std::span<const double> state
   constexpr std::size_t piece = std::size_t{1} << 20;  // bytes
   Buffer out;
   if (scene.layers) {
-    write("id,x,y,z,r,temperature\n");
+    write(layered_head);
     return for_layered_lines(scene, state, write);
   }
   if (scene.packed && scene.packed->packing.cell && scene.packed->packing.cell->is_periodic())
@@ -179,18 +192,19 @@ void remove_files_of_motion(const std::string& folder) noexcept {
 
 std::string write_run_files(const std::string& folder, const Scene& scene, const ProbeSet& probes,
                             const RunResult& run, std::span<const double> final_state, RunRecord record) {
-  const auto write_or_remove = [&](const std::string& name, bool wanted, auto content) {
+  const auto write_or_remove = [&](const std::string& name, bool wanted, auto write) {
     const std::string path = folder + "/" + name;
     if (!wanted) return remove_stale_file(path);
-    write_file_atomically(path, content());
+    write(path);
     record.files.push_back(name);
   };
   const bool ok = run.outcome.ok();
-  write_or_remove("final.csv", ok, [&] {
-    return [&](const PieceWriter& write) { write_final_csv(scene, run.t_reached, final_state, write); };
+  write_or_remove("final.csv", ok, [&](const std::string& path) {
+    write_final_file(path, scene, run.t_reached, final_state);
   });
-  write_or_remove("probes.csv", ok && !probes.columns().empty(),
-                  [&] { return probes_csv(probes, run.history, scene.t_end); });
+  write_or_remove("probes.csv", ok && !probes.columns().empty(), [&](const std::string& path) {
+    write_file_atomically(path, probes_csv(probes, run.history, scene.t_end));
+  });
   record.files.emplace_back("run.json");
   std::string json = run_json(record);
   write_file_atomically(folder + "/run.json", json);

@@ -12,7 +12,6 @@
 #include <optional>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "core/temporary_files.hpp"
 
 namespace superstep {
@@ -21,8 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) {
-  throw OutputError(
-      fmt::format("{}: cannot be written: {}; choose another place or free some space", path, why));
+  throw write_error(path, why);
 }
 [[noreturn]] void fail(const std::string& path, int error) {
   fail(path, std::strerror(error));
@@ -91,20 +89,51 @@ void write_pieces(const std::string& path, int descriptor, const Pieces& pieces)
   });
 }
 
+/// Writes all there is to write; false where it is not to be written after all.
+using Fill = std::function<bool(const TemporaryFile&)>;
+
 /// Through a temporary. `kept` [mode] of the file that is replaced, if there is one.
-void replace(const std::string& path, const fs::path& file, const Pieces& pieces,
-             std::optional<mode_t> kept) {
+bool replace(const std::string& path, const fs::path& file, const Fill& fill, std::optional<mode_t> kept) {
   TemporaryFile temporary(file.parent_path());
   if (temporary.descriptor() < 0) fail(path, errno);
-  write_pieces(path, temporary.descriptor(), pieces);
+  if (!fill(temporary)) return false;
   const bool flushed =
       (!kept || ::fchmod(temporary.descriptor(), *kept) == 0) && ::fsync(temporary.descriptor()) == 0;
   if (!flushed) fail(path, errno);
   if (!temporary.rename_to(file)) fail(path, errno);
   flush_folder(file.parent_path());
+  return true;
+}
+
+/// What stands where a file is to be.
+enum class Place : char { nothing, file, other };
+struct Standing {
+  Place place = Place::nothing;
+  std::optional<mode_t> mode;  ///< of a file
+  struct stat facts {};
+};
+
+/// Creates missing parent folders.
+Standing look_at(const std::string& path, const fs::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (error) fail(path, error.value());
+  Standing there;
+  const bool exists = ::stat(file.c_str(), &there.facts) == 0;
+  if (!exists && errno != ENOENT) fail(path, errno);
+  if (!exists) return there;
+  constexpr mode_t permissions = 07777;
+  there.place = S_ISREG(there.facts.st_mode) ? Place::file : Place::other;
+  if (there.place == Place::file) there.mode = there.facts.st_mode & permissions;
+  return there;
 }
 
 }  // namespace
+
+OutputError write_error(const std::string& path, const std::string& why) {
+  return OutputError(
+      fmt::format("{}: cannot be written: {}; choose another place or free some space", path, why));
+}
 
 void write_file_atomically(const std::string& path, std::string_view content) {
   write_file_atomically(path, [&](const PieceWriter& write) { write(content); });
@@ -113,17 +142,29 @@ void write_file_atomically(const std::string& path, std::string_view content) {
 void write_file_atomically(const std::string& path, const Pieces& pieces) {
   const auto [file, stream] = follow_links(path);
   if (stream) return write_pieces(path, *stream, pieces);
-  std::error_code error;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  if (error) fail(path, error.value());
-  struct stat facts {};
-  const bool exists = ::stat(file.c_str(), &facts) == 0;
-  if (!exists && errno != ENOENT) fail(path, errno);
-  if (!exists) return replace(path, file, pieces, std::nullopt);
-  if (S_ISDIR(facts.st_mode)) fail(path, EISDIR);
-  constexpr mode_t permissions = 07777;
-  if (S_ISREG(facts.st_mode)) return replace(path, file, pieces, facts.st_mode & permissions);
-  if (!is_null_device(facts)) fail(path, "it is a device, a pipe or a socket, and no file");
+  const Standing there = look_at(path, file);
+  if (there.place != Place::other) {
+    const auto fill = [&](const TemporaryFile& temporary) {
+      write_pieces(path, temporary.descriptor(), pieces);
+      return true;
+    };
+    (void)replace(path, file, fill, there.mode);
+    return;
+  }
+  if (S_ISDIR(there.facts.st_mode)) fail(path, EISDIR);
+  if (!is_null_device(there.facts)) fail(path, "it is a device, a pipe or a socket, and no file");
+}
+
+bool fill_file_atomically(const std::string& path, const std::function<bool(const std::string&)>& fill) {
+  const fs::path file(path);
+  std::error_code ignored;
+  if (own_stream(file.lexically_normal()) || fs::is_symlink(fs::symlink_status(file, ignored))) return false;
+  const Standing there = look_at(path, file);
+  if (there.place == Place::other) return false;
+  return replace(
+      path, file,
+      [&](const TemporaryFile& temporary) { return fill(fs::absolute(temporary.name()).string()); },
+      there.mode);
 }
 
 }  // namespace superstep

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.hpp"
+
 namespace superstep {
 
 /// Writes `content` to a temporary beside the file, flushes it to disk and renames it over `path`; then the
@@ -22,5 +24,15 @@ void write_file_atomically(const std::string& path, std::string_view content);
 /// it throws leaves nothing behind.
 using PieceWriter = std::function<void(std::string_view)>;
 void write_file_atomically(const std::string& path, const std::function<void(const PieceWriter&)>& pieces);
+
+/// The same of a file that others fill, too: fill(temporary) has all of it written into a file that is there
+/// and empty, named from the root. Neither flushing nor renaming is its business; what it throws leaves
+/// nothing behind. False, and nothing is written, where it returns false, and where `path` is a link, a
+/// stream or a device: take the way above then.
+[[nodiscard]] bool fill_file_atomically(const std::string& path,
+                                        const std::function<bool(const std::string& temporary)>& fill);
+
+/// What the functions above throw, for those who fill.
+[[nodiscard]] OutputError write_error(const std::string& path, const std::string& why);
 
 }  // namespace superstep

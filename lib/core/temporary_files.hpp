@@ -17,6 +17,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// Closes the file and gives it its name; false with errno when that fails.
   [[nodiscard]] bool rename_to(const std::filesystem::path& file) noexcept;
 

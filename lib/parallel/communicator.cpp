@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace superstep {
 
@@ -28,6 +29,15 @@ std::uint64_t Communicator::sum(std::uint64_t own) {
   ++traffic_.reductions;
   agree(shared[1] > 0);
   return static_cast<std::uint64_t>(shared[0]);
+}
+
+std::uint64_t Communicator::sum_before(std::uint64_t own) {
+  if (alone()) return 0;
+  std::vector<std::int64_t> all(static_cast<std::size_t>(size()), 0);
+  all[static_cast<std::size_t>(rank())] = static_cast<std::int64_t>(own);
+  add_up(all);
+  const auto sum = std::accumulate(all.begin(), all.begin() + rank(), std::int64_t{0});
+  return static_cast<std::uint64_t>(sum);
 }
 
 double Communicator::max(double own) {

@@ -42,6 +42,8 @@ class Exchange {
   [[nodiscard]] virtual std::uint64_t bytes() const noexcept = 0;
 };
 
+class FilePart;
+
 class Communicator {
  public:
   virtual ~Communicator() = default;
@@ -57,6 +59,8 @@ class Communicator {
   // Collective: every process calls, and all get the same.
   [[nodiscard]] double sum(const ExactSum& own);
   [[nodiscard]] std::uint64_t sum(std::uint64_t own);
+  /// Of the processes of lower ranks.
+  [[nodiscard]] std::uint64_t sum_before(std::uint64_t own);
   /// NaN where one of them is.
   [[nodiscard]] double max(double own);
   [[nodiscard]] double min(double own) { return -max(-own); }
@@ -73,6 +77,10 @@ class Communicator {
   // From one to another. Who waits leaves the processor to others.
   virtual void send(int to, std::span<const std::byte> bytes) = 0;
   [[nodiscard]] virtual std::vector<std::byte> receive(int from) = 0;
+
+  /// A file that is there, to write a part of it: see file_part.hpp. Not collective. Throws
+  /// std::runtime_error with the reason where it cannot be opened here.
+  [[nodiscard]] virtual std::unique_ptr<FilePart> open_part(const std::string& file) = 0;
 
   /// The wish of any process to stop, agreed on in every sum and maximum: all see it at the same place of
   /// their computation. `own` is looked at until another one is given; null = none.

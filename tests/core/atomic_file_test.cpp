@@ -137,6 +137,37 @@ TEST(AtomicFile, AFileThatDoesNotFitLeavesTheOldOne) {
   EXPECT_EQ(files_in(folder.file(".")), 1U);
 }
 
+TEST(AtomicFile, OthersMayFillIt) {
+  const TemporaryFolder folder;
+  const auto fill = [](const std::string& temporary) {
+    EXPECT_EQ(content_of(temporary), "");
+    std::ofstream(temporary) << "content";
+    return true;
+  };
+  const mode_t before = ::umask(027);
+  EXPECT_TRUE(fill_file_atomically(folder.file("new/file"), fill));
+  ::umask(before);
+  EXPECT_EQ(content_of(folder.file("new/file")), "content");
+  EXPECT_EQ(mode_of(folder.file("new/file")), 0640U);
+  const auto refuse = [&](const std::string& temporary) { return !fill(temporary); };
+  EXPECT_FALSE(fill_file_atomically(folder.file("new/other"), refuse));
+  EXPECT_THROW((void)fill_file_atomically(
+                   folder.file("new/file"),
+                   [](const std::string&) -> bool { throw write_error("file", "somebody cannot"); }),
+               OutputError);
+  EXPECT_EQ(content_of(folder.file("new/file")), "content");
+  EXPECT_EQ(files_in(folder.file("new")), 1U);
+}
+
+TEST(AtomicFile, OthersFillNoLinksStreamsAndFolders) {
+  const TemporaryFolder folder;
+  fs::create_symlink(folder.file("file"), folder.file("link"));
+  const auto fill = [](const std::string&) -> bool { throw std::logic_error("nobody fills it"); };
+  for (const std::string& place : {folder.file("link"), folder.file("."), std::string("/dev/stdout")})
+    EXPECT_FALSE(fill_file_atomically(place, fill)) << place;
+  EXPECT_EQ(files_in(folder.file(".")), 1U);
+}
+
 TEST(AtomicFile, NamesAsLongAsTheyMayBe) {
   const TemporaryFolder folder;
   const std::string longest(255, 'n');

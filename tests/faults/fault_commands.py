@@ -10,6 +10,27 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 PRESS = (SOURCE / "tests/support/small_press.toml").read_text()
 
+LATTICE = """
+t_end = 2.0
+output_times = [0.5, 2.0]
+probe = 20
+[packing]
+generator = "lattice"
+cells = [4, 4, 9]
+spacing = 1.0
+diameter = 1.02
+length_unit = "mm"
+[material]
+density = 7800.0
+[contact]
+neck = "hertz"
+[thermal]
+conductivity = 50.0
+specific_heat = 460.0
+initial = 300.0
+fixed = [ { where = "top", value = 400.0 }, { where = "bottom", value = 300.0 } ]
+"""
+
 
 def nodes_and_edges(nodes):
     rows = [f"{k},1,0,0,{0 if k == 1 else 10 if k == nodes else ''}" for k in range(1, nodes + 1)]
@@ -19,6 +40,8 @@ def nodes_and_edges(nodes):
 
 COMMANDS = {
     "run": ["run", "rod.toml", "--out", "out", "--integrator", "rkc", "--integrator", "cvode"],
+    # Of several processes nobody has the whole of it, and all write final.csv.
+    "lattice": ["run", "lattice.toml", "--out", "out", "--integrator", "rkc"],
     "bench": ["bench", "rod.toml", "--out", "out", "--repetitions", "1"],
     "report": ["report", "measured"],
     "pack": ["pack", "--container", "box", "--width", "2", "--depth", "2", "--height", "2", "--sizes",
@@ -42,6 +65,7 @@ class Folder:
             't_end = 300.0\noutput_times = [30.0, 100.0, 300.0]\nprobe = 20\n[network]\nnodes = "nodes.csv"\n'
             'edges = "edges.csv"\n[bench]\nbaseline = "forward-euler"\nintegrators = ["rkc", "cvode"]\n')
         (self.path / "press.toml").write_text(PRESS)
+        (self.path / "lattice.toml").write_text(LATTICE)
         if name == "report":
             self.call(["bench", "rod.toml", "--out", "measured", "--repetitions", "1"], check=True)
         self.inputs = self.files()

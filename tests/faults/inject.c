@@ -1,6 +1,7 @@
 /* Makes the n-th call of one kind fail in the program that it is loaded into (LD_PRELOAD).
  *
  *   SUPERSTEP_FAIL=write:3    the third write of the process fails; write:3+ = that one and all that follow
+ *   SUPERSTEP_HIDE=TEXT       files with this text in their names cannot be opened
  *   SUPERSTEP_COUNT=FILE      at the end: one line "kind number" for each kind of call
  */
 #define _GNU_SOURCE
@@ -13,10 +14,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/types.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
-enum kind { open_call, write_call, rename_call, fsync_call, malloc_call, kinds };
-static const char* const names[kinds] = {"open", "write", "rename", "fsync", "malloc"};
+enum kind { open_call, write_call, pwrite_call, rename_call, fsync_call, malloc_call, kinds };
+static const char* const names[kinds] = {"open", "write", "pwrite", "rename", "fsync", "malloc"};
 static atomic_long calls[kinds];
 static long failing[kinds]; /* number of the call that fails; 0 = none */
 static int from_then_on;
@@ -45,6 +47,11 @@ __attribute__((destructor)) static void finish(void) {
   if (out) fclose(out);
 }
 
+static int hidden(const char* path) {
+  const char* text = getenv("SUPERSTEP_HIDE");
+  return ready && text && strstr(path, text);
+}
+
 static int fails(enum kind k) {
   if (!ready) return 0;
   const long number = atomic_fetch_add(&calls[k], 1) + 1;
@@ -59,7 +66,7 @@ static void* behind(void** known, const char* name) {
 #define REAL(type, name) ((type)behind(&real_##name, #name))
 
 static void *real_open, *real_open64, *real_openat, *real_fopen, *real_fopen64, *real_write, *real_rename,
-    *real_fsync;
+    *real_fsync, *real_pwrite, *real_pwrite64, *real_pwritev, *real_pwritev64;
 
 static mode_t mode_of(int flags, va_list more) {
   return flags & O_CREAT ? va_arg(more, mode_t) : 0;
@@ -71,6 +78,10 @@ static mode_t mode_of(int flags, va_list more) {
     va_start(more, flags);                                                   \
     const mode_t mode = mode_of(flags, more);                                \
     va_end(more);                                                            \
+    if (hidden(path)) {                                                      \
+      errno = ENOENT;                                                        \
+      return -1;                                                             \
+    }                                                                        \
     if (fails(open_call)) {                                                  \
       errno = EMFILE;                                                        \
       return -1;                                                             \
@@ -110,6 +121,20 @@ ssize_t write(int file, const void* bytes, size_t count) {
   }
   return REAL(ssize_t(*)(int, const void*, size_t), write)(file, bytes, count);
 }
+
+/* Writes at a place of a file, as MPI makes them. */
+#define PWRITE(name, bytes, size, place)                                                 \
+  ssize_t name(int file, bytes source, size count, place offset) {                       \
+    if (fails(pwrite_call)) {                                                            \
+      errno = ENOSPC;                                                                    \
+      return -1;                                                                         \
+    }                                                                                    \
+    return REAL(ssize_t(*)(int, bytes, size, place), name)(file, source, count, offset); \
+  }
+PWRITE(pwrite, const void*, size_t, off_t)
+PWRITE(pwrite64, const void*, size_t, off64_t)
+PWRITE(pwritev, const struct iovec*, int, off_t)
+PWRITE(pwritev64, const struct iovec*, int, off64_t)
 
 int rename(const char* from, const char* to) {
   if (fails(rename_call)) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <iterator>
 #include <string>
 
 #include "bench/host/terminal.hpp"
@@ -14,40 +13,6 @@
 #include "rhs/network_rhs.hpp"
 
 namespace superstep {
-namespace {
-
-constexpr std::size_t piece = std::size_t{1} << 20;  // bytes of text that are sent at a time
-
-/// Calls each(text) with lines of the nodes that are here.
-template <class Each>
-void for_own_lines(const Scene& scene, std::span<const double> state, const Each& each) {
-  LayeredNodes& nodes = *scene.layers;
-  const double origin = scene.fields.front().origin;
-  fmt::memory_buffer text;
-  std::size_t row = 0;
-  nodes.for_stretches([&](std::int64_t first, std::int64_t last) {
-    const ReadLayers read = nodes.reader().read(first, last, false);
-    const Packing& packing = read.packed.packing;
-    const Graph& graph = read.field.graph;
-    for (std::size_t k = 0; k < packing.size(); ++k) {
-      if (packing.id[k] < nodes.begin || packing.id[k] >= nodes.end) continue;
-      const double value = graph.is_fixed[k] ? graph.fixed_value[k] : state[row++] + origin;
-      const auto [x, y, z] = packing.centre[k];
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", packing.id[k], x, y, z,
-                     packing.radius[k], value);
-      if (text.size() < piece) continue;
-      each(std::string_view(text.data(), text.size()));
-      text.clear();
-    }
-  });
-  if (text.size() > 0) each(std::string_view(text.data(), text.size()));
-}
-
-std::span<const std::byte> bytes_of(std::string_view text) {
-  return std::as_bytes(std::span(text.data(), text.size()));
-}
-
-}  // namespace
 
 std::optional<Scene> share_layers(const std::string& file) {
   if (world().alone()) return std::nullopt;
@@ -89,29 +54,6 @@ ScenePart part_of_layers(const Scene& scene) {
   part.scene = scene.rhs->identity();
   part.in_layers = true;
   return part;
-}
-
-void for_layered_lines(const Scene& scene, std::span<const double> state,
-                       const std::function<void(std::string_view)>& each) {
-  for_own_lines(scene, state, each);
-  Packer out;
-  out.put(Order::lines);
-  for (int from = 1; from < world().size(); ++from) {
-    world().send(from, out.bytes());
-    std::exception_ptr failed;  // what a process has begun to send must be received all the same
-    for (auto text = world().receive(from); !text.empty(); text = world().receive(from)) try {
-        if (!failed) each(std::string_view(reinterpret_cast<const char*>(text.data()), text.size()));
-      } catch (...) {
-        failed = std::current_exception();
-      }
-    if (failed) std::rethrow_exception(failed);
-  }
-}
-
-void send_layered_lines(const ScenePart& part) {
-  for_own_lines(*part.layered, part.final_state,
-                [](std::string_view text) { world().send(0, bytes_of(text)); });
-  world().send(0, {});
 }
 
 }  // namespace superstep

@@ -1,11 +1,8 @@
 #pragma once
-/// Scenes that all processes build together, layer by layer, and the lines of their final values.
+/// Scenes that all processes build together, layer by layer.
 
-#include <functional>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 
 #include "bench/measure/shared/shared_scene.hpp"
 #include "case/scene.hpp"
@@ -19,12 +16,5 @@ namespace superstep {
 [[nodiscard]] ScenePart take_layers(Unpacker& in);
 /// The root's own part.
 [[nodiscard]] ScenePart part_of_layers(const Scene& scene);
-
-/// On the root: calls each(piece) with the lines of all nodes, "id,x,y,z,r,value", in the order of the nodes.
-///   state  of the rows that are here
-void for_layered_lines(const Scene& scene, std::span<const double> state,
-                       const std::function<void(std::string_view)>& each);
-/// Elsewhere: sends the own ones to the root.
-void send_layered_lines(const ScenePart& part);
 
 }  // namespace superstep

@@ -1,6 +1,7 @@
 #include "bench/measure/shared/worker.hpp"
 
 #include "bench/host/interrupt.hpp"
+#include "bench/measure/shared/layered_lines.hpp"
 #include "bench/measure/shared/shared_layers.hpp"
 #include "bench/measure/shared/shared_run.hpp"
 #include "core/error.hpp"
@@ -25,7 +26,10 @@ int serve_the_root() {
         } catch (const InputError&) {  // the root's, too, and it says so
         }
         break;
-      case Order::lines:
+      case Order::write_lines:
+        join_layered_lines(part, in);
+        break;
+      case Order::send_lines:
         send_layered_lines(part);
         break;
       case Order::run:

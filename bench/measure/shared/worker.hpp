@@ -1,14 +1,15 @@
 #pragma once
 /// What the processes besides the root do: they wait for parts of scenes and for runs over them.
 ///
-/// Only the root reads input, writes files and talks; so that there is one message where there is one error.
+/// Only the root reads input and talks, so that there is one message where there is one error; it also makes
+/// and names all files, some of which the others help to fill.
 
 #include <cstdint>
 
 namespace superstep {
 
 /// First word of what the root sends.
-enum class Order : std::uint8_t { scene, layers, run, lines, end };
+enum class Order : std::uint8_t { scene, layers, run, write_lines, send_lines, end };
 
 /// Serves the root until it ends. Returns the exit code.
 [[nodiscard]] int serve_the_root();

@@ -1,0 +1,169 @@
+#include "bench/measure/shared/layered_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <exception>
+#include <iterator>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "bench/measure/shared/worker.hpp"
+#include "case/layers/layered_scene.hpp"
+#include "parallel/file_part.hpp"
+
+namespace superstep {
+namespace {
+
+constexpr std::size_t piece = std::size_t{1} << 20;  // bytes of text that are sent at a time
+
+/// A number as text, made anew where it is another one than the last time: in a lattice most are not.
+class Repeated {
+ public:
+  [[nodiscard]] std::string_view text(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    if (bits != bits_ || text_.empty()) text_ = fmt::format("{}", value);
+    bits_ = bits;
+    return text_;
+  }
+
+ private:
+  std::uint64_t bits_ = 0;
+  std::string text_;
+};
+
+/// Calls each(text) with lines of the nodes that are here.
+template <class Each>
+void for_own_lines(const Scene& scene, std::span<const double> state, const Each& each) {
+  LayeredNodes& nodes = *scene.layers;
+  const double origin = scene.fields.front().origin;
+  fmt::memory_buffer text;
+  Repeated second, third, radius;
+  std::size_t row = 0;
+  nodes.for_stretches([&](std::int64_t first, std::int64_t last) {
+    const ReadLayers read = nodes.reader().read(first, last, false);
+    const Packing& packing = read.packed.packing;
+    const Graph& graph = read.field.graph;
+    for (std::size_t k = 0; k < packing.size(); ++k) {
+      if (packing.id[k] < nodes.begin || packing.id[k] >= nodes.end) continue;
+      const double value = graph.is_fixed[k] ? graph.fixed_value[k] : state[row++] + origin;
+      const auto [x, y, z] = packing.centre[k];
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", packing.id[k], x, second.text(y),
+                     third.text(z), radius.text(packing.radius[k]), value);
+      if (text.size() < piece) continue;
+      each(std::string_view(text.data(), text.size()));
+      text.clear();
+    }
+  });
+  if (text.size() > 0) each(std::string_view(text.data(), text.size()));
+}
+
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+/// Lines that are kept while they are counted, so that they need not be made twice; as long as they are few.
+class FewLines {
+ public:
+  void take(std::string_view text) {
+    constexpr std::size_t most = 16 * piece;
+    bytes_ += text.size();
+    all_ = all_ && bytes_ <= most;
+    if (all_)
+      texts_.emplace_back(text);
+    else
+      texts_.clear();
+  }
+  [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
+  /// Whether what was taken is all here.
+  [[nodiscard]] bool all() const noexcept { return all_; }
+  [[nodiscard]] const std::vector<std::string>& texts() const noexcept { return texts_; }
+
+ private:
+  std::vector<std::string> texts_;
+  std::uint64_t bytes_ = 0;
+  bool all_ = true;
+};
+
+/// Why something could not be done here; nothing where it was done.
+template <class Work>
+std::optional<std::string> failure_of(const Work& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const std::bad_alloc&) {
+    return "a process found no memory for it";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+/// Collective. `head` on the root alone.
+WrittenLines write_together(const Scene& scene, std::span<const double> state, std::string_view head,
+                            const std::string& file) {
+  std::unique_ptr<FilePart> part;
+  const auto closed = failure_of([&] { part = world().open_part(file); });
+  if (world().any(closed.has_value())) return {.reached = false, .failure = {}};
+  FewLines few;
+  const auto uncounted =
+      failure_of([&] { for_own_lines(scene, state, [&](std::string_view text) { few.take(text); }); });
+  if (const auto failure = world().first_of(uncounted)) return {.failure = failure};
+  std::uint64_t place = world().sum_before(head.size() + few.bytes());
+  const auto put = [&](std::string_view text) {
+    part->write(place, text);
+    place += text.size();
+  };
+  const auto unwritten = failure_of([&] {
+    put(head);
+    if (few.all())
+      for (const auto& text : few.texts()) put(text);
+    else
+      for_own_lines(scene, state, put);
+    part->finish();
+  });
+  return {.failure = world().first_of(unwritten)};
+}
+
+}  // namespace
+
+WrittenLines write_layered_lines(const Scene& scene, std::span<const double> state, std::string_view head,
+                                 const std::string& file) {
+  Packer out;
+  out.put(Order::write_lines);
+  out.put(file);
+  for (int to = 1; to < world().size(); ++to) world().send(to, out.bytes());
+  return write_together(scene, state, head, file);
+}
+
+void join_layered_lines(const ScenePart& part, Unpacker& in) {
+  std::string file;
+  in.take(file);
+  (void)write_together(*part.layered, part.final_state, {}, file);
+}
+
+void for_layered_lines(const Scene& scene, std::span<const double> state,
+                       const std::function<void(std::string_view)>& each) {
+  for_own_lines(scene, state, each);
+  Packer out;
+  out.put(Order::send_lines);
+  for (int from = 1; from < world().size(); ++from) {
+    world().send(from, out.bytes());
+    std::exception_ptr failed;  // what a process has begun to send must be received all the same
+    for (auto text = world().receive(from); !text.empty(); text = world().receive(from)) try {
+        if (!failed) each(std::string_view(reinterpret_cast<const char*>(text.data()), text.size()));
+      } catch (...) {
+        failed = std::current_exception();
+      }
+    if (failed) std::rethrow_exception(failed);
+  }
+}
+
+void send_layered_lines(const ScenePart& part) {
+  for_own_lines(*part.layered, part.final_state,
+                [](std::string_view text) { world().send(0, bytes_of(text)); });
+  world().send(0, {});
+}
+
+}  // namespace superstep
