@@ -14,6 +14,7 @@
 #include "bench/harness/run_check.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/measure/run_one.hpp"
+#include "bench/output/layered_vtk.hpp"
 #include "bench/output/output_folder.hpp"
 #include "bench/output/run_files.hpp"
 #include "bench/output/vtk_series.hpp"
@@ -64,6 +65,8 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const MethodSp
     if (verified) run.states.emplace_back(state.begin(), state.end());
     if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
   };
+  if (vtk) request.frames = vtk->folder_of_pieces();
+  request.write_frame = write_layered_frame;
   progress.begin(spec.text(), scene.t_end);
   run.result = run_one(scene, spec, request);
   progress.end();
@@ -114,7 +117,7 @@ std::string kept_states(const Scene& scene, bool vtk) {
   if (vtk || !scene.own_output_times || scene.output_times.size() < 2) return {};
   return fmt::format(
       "of the states at {} output times final.csv keeps the last; {}the Python module hands out all",
-      scene.output_times.size(), scene.packed ? "--vtk writes all, and " : "");
+      scene.output_times.size(), scene.packed || scene.layers ? "--vtk writes all, and " : "");
 }
 
 Command from_line(const Arguments& values) {
@@ -194,9 +197,9 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
 
 int execute(const RunCommand& command) {
   check_specs_of_press(command.integrators);
-  const bool whole = command.verify || command.vtk;  // what looks at all fields at once
-  const LoadedCase one = whole ? load_checked_case(command.case_file, command.common.quiet)
-                               : load_case_to_run(command.case_file, command.common.quiet);
+  // What verifies a run looks at all fields at once.
+  const LoadedCase one = command.verify ? load_checked_case(command.case_file, command.common.quiet)
+                                        : load_case_to_run(command.case_file, command.common.quiet);
   if (const auto* press = std::get_if<Press>(&one.content)) return run_press(command, *press, one.cpu_setup);
   return run_scene(command, std::get<Scene>(one.content), one.cpu_setup);
 }

@@ -13,11 +13,23 @@
 #include "bench/measure/probe_set.hpp"
 #include "bench/measure/run_limits.hpp"
 #include "case/scene.hpp"
+#include "core/error.hpp"
 #include "integrators/integrator.hpp"
 #include "integrators/method_spec.hpp"
 #include "integrators/spans.hpp"
 
 namespace superstep {
+
+/// Writes what this process has of a scene that is built in layers, at an instant [s], into a folder: frame 0
+/// is the beginning, and one follows for each output time. Called by all processes at once; what one of them
+/// cannot do all throw, as EverybodysError.
+using WriteFrame = std::function<void(const Scene& scene, const std::string& folder, std::size_t frame,
+                                      double t, std::span<const double> state)>;
+
+/// A file that one of several processes could not write; all know it and stop.
+struct EverybodysError : OutputError {
+  using OutputError::OutputError;
+};
 
 /// What a run does besides integrating; nothing, when it is being timed.
 struct RunRequest {
@@ -30,6 +42,9 @@ struct RunRequest {
   /// Called at every output time with its number, the time [s] and the state: of a scene that is built in
   /// layers, of the rows that are here.
   std::function<void(std::size_t output, double t, std::span<const double> state)> observe = {};
+  /// Of a scene that is built in layers: where its frames go, empty = nowhere, and who writes them here.
+  std::string frames = {};
+  WriteFrame write_frame = {};
 };
 
 struct RunResult {

@@ -22,11 +22,19 @@ std::string frame_name(const char* kind, std::size_t number) {
   return fmt::format("{}_{:04}.vtp", kind, number);
 }
 
+std::string shared_frame_name(const char* kind, std::size_t number) {
+  return fmt::format("{}_{:04}.pvtp", kind, number);
+}
+
+std::string piece_name(const char* kind, std::size_t number, int rank) {
+  return fmt::format("{}_{:04}_p{:04}.vtp", kind, number, rank);
+}
+
 /// Only names that a series has: the folder may hold what the user put there.
 bool is_ours(const fs::path& file) {
   const std::string name = file.filename().string(), extension = file.extension().string();
   const bool ours = name.starts_with("particles") || name.starts_with("contacts");
-  return ours && (extension == ".vtp" || extension == ".pvd");
+  return ours && (extension == ".vtp" || extension == ".pvtp" || extension == ".pvd");
 }
 
 /// The instant of a frame that `vtp_text` wrote; nothing when it is none.
@@ -56,16 +64,16 @@ std::vector<VtkFrame> frames_before(const std::string& folder, const char* kind,
   }
 }
 
-/// The .pvd files first: they must not name what is gone.
+/// Files that name others first: they must not name what is gone.
 void remove_series(const std::string& folder, const std::set<std::string>& kept) {
-  std::vector<fs::path> lists, frames;
+  std::vector<fs::path> ours;
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (!is_ours(entry.path()) || kept.contains(entry.path().filename().string())) continue;
-    (entry.path().extension() == ".pvd" ? lists : frames).push_back(entry.path());
-  }
-  for (const auto* files : {&lists, &frames})
-    for (const auto& file : *files) remove_stale_file(file.string());
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (is_ours(entry.path()) && !kept.contains(entry.path().filename().string()))
+      ours.push_back(entry.path());
+  for (const char* extension : {".pvd", ".pvtp", ".vtp"})
+    for (const auto& file : ours)
+      if (file.extension() == extension) remove_stale_file(file.string());
 }
 
 }  // namespace
@@ -103,6 +111,31 @@ void VtkFrames::add(const VtkPolyData& particles, const VtkPolyData& contacts) {
   };
   write("particles", particles, particles_);
   write("contacts", contacts, contacts_);
+}
+
+void VtkFrames::add_shared(double t) {
+  particles_.push_back({t, shared_frame_name("particles", particles_.size())});
+  contacts_.push_back({t, shared_frame_name("contacts", contacts_.size())});
+}
+
+void write_vtk_piece(const std::string& folder, std::size_t number, int rank, const VtkPolyData& particles,
+                     const VtkPolyData& contacts) {
+  const auto write = [&](const char* kind, const VtkPolyData& data) {
+    write_file_atomically(folder + "/vtk/" + piece_name(kind, number, rank), vtp_text(data));
+  };
+  write("particles", particles);
+  write("contacts", contacts);
+}
+
+void join_vtk_pieces(const std::string& folder, std::size_t number, int processes,
+                     const VtkPolyData& particles, const VtkPolyData& contacts) {
+  const auto write = [&](const char* kind, const VtkPolyData& data) {
+    std::vector<std::string> pieces;
+    for (int rank = 0; rank < processes; ++rank) pieces.push_back(piece_name(kind, number, rank));
+    write_file_atomically(folder + "/vtk/" + shared_frame_name(kind, number), pvtp_text(data, pieces));
+  };
+  write("particles", particles);
+  write("contacts", contacts);
 }
 
 std::vector<std::string> VtkFrames::finish() const {

@@ -15,6 +15,13 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double), "points and vectors are writte
 
 constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
+template <class Value>
+constexpr const char* type_name() {
+  if constexpr (std::is_same_v<Value, std::int64_t>) return "Int64";
+  if constexpr (std::is_same_v<Value, std::uint8_t>) return "UInt8";
+  return "Float64";
+}
+
 /// The XML part and the binary part of a file, which grow together.
 class Appended {
  public:
@@ -26,7 +33,7 @@ class Appended {
     append(values.data(), values.size_bytes());
     return fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-        std::is_same_v<Value, double> ? "Float64" : "Int64", html_text(name), components, offset);
+        type_name<Value>(), html_text(name), components, offset);
   }
   std::string arrays(const char* element, const std::vector<VtkArray>& list, std::size_t expected) {
     std::string out = fmt::format("<{}>\n", element);
@@ -73,12 +80,25 @@ std::string cells(Appended& appended, const char* element, const std::vector<std
 
 std::string topology(Appended& appended, const VtkPolyData& data) {
   std::vector<std::int64_t> connectivity;
-  if (data.lines.empty()) {
+  if (data.lines.empty() && data.vertices) {
     for (std::size_t i = 0; i < data.points.size(); ++i) connectivity.push_back(static_cast<std::int64_t>(i));
     return cells(appended, "Verts", connectivity, 1);
   }
   for (const auto& [i, j] : data.lines) connectivity.insert(connectivity.end(), {i, j});
   return cells(appended, "Lines", connectivity, 2);
+}
+
+/// What is said of arrays whose values are in other files.
+std::string named_arrays(const char* element, const std::vector<VtkArray>& list) {
+  std::string out = fmt::format("<{}>\n", element);
+  for (const auto& one : list)
+    std::visit(
+        [&]<class Value>(const std::vector<Value>&) {
+          out += fmt::format("<PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n",
+                             type_name<Value>(), html_text(one.name), std::is_same_v<Value, Vec3> ? 3 : 1);
+        },
+        one.values);
+  return out + fmt::format("</{}>\n", element);
 }
 
 }  // namespace
@@ -92,7 +112,7 @@ std::string vtp_text(const VtkPolyData& data) {
       "format=\"ascii\">{}"
       "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
       "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-      byte_order, data.time, data.points.size(), data.lines.empty() ? data.points.size() : 0,
+      byte_order, data.time, data.points.size(), data.lines.empty() && data.vertices ? data.points.size() : 0,
       data.lines.size());
   out += appended.arrays("PointData", data.point_data, data.points.size());
   out += appended.arrays("CellData", data.cell_data, data.lines.size());
@@ -100,6 +120,17 @@ std::string vtp_text(const VtkPolyData& data) {
   out += topology(appended, data);
   out += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
   return out + appended.bytes() + "\n</AppendedData>\n</VTKFile>\n";
+}
+
+std::string pvtp_text(const VtkPolyData& one, std::span<const std::string> pieces) {
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PPolyData\" version=\"1.0\" byte_order=\"{}\" "
+      "header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n",
+      byte_order);
+  out += named_arrays("PPointData", one.point_data) + named_arrays("PCellData", one.cell_data);
+  out += "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
+  for (const auto& piece : pieces) out += fmt::format("<Piece Source=\"{}\"/>\n", html_text(piece));
+  return out + "</PPolyData>\n</VTKFile>\n";
 }
 
 std::string pvd_text(std::span<const VtkFrame> frames) {

@@ -16,7 +16,8 @@ namespace superstep {
 /// Named values, one per point or per cell: numbers or vectors.
 struct VtkArray {
   std::string name;
-  std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<Vec3>> values;
+  std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint8_t>, std::vector<Vec3>>
+      values;
 };
 
 /// A piece of poly data: n points, each a vertex of its own, or joined by lines.
@@ -27,10 +28,14 @@ struct VtkPolyData {
   std::vector<VtkArray> point_data;  ///< [n] each
   std::vector<VtkArray> cell_data;   ///< [m] each, only with lines
   double time = 0;                   ///< s
+  bool vertices = true;              ///< points without lines are; else nothing is drawn of them
 };
 
 /// Content of a .vtp file.
 [[nodiscard]] std::string vtp_text(const VtkPolyData& data);
+
+/// Content of a .pvtp file: pieces beside it, all with the arrays of `one` of them.
+[[nodiscard]] std::string pvtp_text(const VtkPolyData& one, std::span<const std::string> pieces);
 
 /// Content of a .pvd file: a time series of files beside it.
 struct VtkFrame {

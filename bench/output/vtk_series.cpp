@@ -26,7 +26,7 @@ const Scene& with_packing(const Scene& scene) {
 }  // namespace
 
 void require_packing(const Scene& scene, const std::string& option) {
-  if (scene.packed) return;
+  if (scene.packed || scene.layers) return;
   throw InputError(
       fmt::format("{}: {} needs particles with positions, and this case gives its network directly; leave "
                   "{} out",
@@ -34,12 +34,17 @@ void require_packing(const Scene& scene, const std::string& option) {
 }
 
 VtkSeries::VtkSeries(const Scene& scene, const std::string& folder)
-    : scene_(with_packing(scene)), frames_(folder) {
+    : scene_(with_packing(scene)), folder_(folder), frames_(folder) {
   add(0.0, scene.initial);
 }
 
 void VtkSeries::add(double t, std::span<const double> state) {
+  if (scene_.layers) return frames_.add_shared(t);
   frames_.add(particles(t, state), contacts(t, state));
+}
+
+std::string VtkSeries::folder_of_pieces() const {
+  return scene_.layers ? folder_ : "";
 }
 
 VtkPolyData VtkSeries::particles(double t, std::span<const double> state) const {

@@ -15,6 +15,9 @@ namespace superstep {
 ///   particles  points with id, radius [m] and one array per field
 ///   contacts   lines with overlap [m], neck_radius [m] and, per field, conductance_<field> [W/K or S] and
 ///              flux_<field> [W or A], positive from the first end to the second
+///
+/// Of a scene that nobody has as a whole it makes the lists alone, of what write_layered_frame writes during
+/// the run.
 class VtkSeries {
  public:
   /// The scene must outlive the series. Removes the series of an earlier run and writes the initial state.
@@ -22,6 +25,8 @@ class VtkSeries {
   VtkSeries(const Scene& scene, const std::string& folder);
   /// One more instant [s].
   void add(double t, std::span<const double> state);
+  /// Where write_layered_frame has to write; empty = nowhere.
+  [[nodiscard]] std::string folder_of_pieces() const;
   /// Writes the .pvd files; returns their names relative to `folder`.
   [[nodiscard]] std::vector<std::string> finish() const { return frames_.finish(); }
 
@@ -30,6 +35,7 @@ class VtkSeries {
   [[nodiscard]] VtkPolyData contacts(double t, std::span<const double> state) const;
 
   const Scene& scene_;
+  std::string folder_;
   VtkFrames frames_;
 };
 

@@ -18,6 +18,7 @@ import tempfile
 import scenes
 
 SKIPPED = 77
+PYTHON = "/usr/bin/python3" if os.path.exists("/usr/bin/python3") else sys.executable  # the one that packages are for
 SPEC = ["--integrator", "forward-euler"]
 
 
@@ -136,6 +137,43 @@ def check_failures(place):
                  f"out of reach: exit {done.returncode}: {done.stderr.decode()[-500:]}")
 
 
+def check_pieces(place):
+    """Fields to draw: one process after another number of them, so that what these left must go."""
+    checker = pathlib.Path(__file__).with_name("check_pieces.py")
+    for scene in ("lattice", "lattice_radiating"):
+        few = ["--block-rows", "64", "--vtk"]
+        alone = place.run(1, scene, "drawn_alone", few)
+        place.expect(alone.returncode == 0, f"{scene}: {alone.stderr.decode()[-500:]}")
+        for processes, blocks in [(7, "64"), (2, "64"), (3, "64"), (4, "4096")]:
+            what = f"{scene} drawn by {processes} processes, blocks of {blocks}"
+            done = place.run(processes, scene, "drawn", ["--block-rows", blocks, "--vtk"])
+            place.expect(done.returncode == 0, f"{what}: exit {done.returncode}: {done.stderr.decode()[-500:]}")
+            # Two kinds at three instants: a piece of each process, and what joins them; and two lists.
+            files = list((place.folder / "drawn/vtk").iterdir())
+            place.expect(len(files) == 6 * (processes + 1) + 2, f"{what}: {len(files)} files")
+            checked = subprocess.run([PYTHON, str(checker), "drawn_alone", "drawn", str(processes)], cwd=place.folder,
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+            if checked.returncode == SKIPPED:
+                print(f"{what}: not read, {checked.stdout.decode().strip()}")
+            else:
+                place.expect(checked.returncode == 0, f"{what}: {checked.stderr.decode()[-800:]}")
+        done = place.run(1, scene, "drawn", few)
+        files = list((place.folder / "drawn/vtk").iterdir())
+        place.expect(done.returncode == 0 and len(files) == 8, f"{scene}: one process leaves {len(files)} files")
+
+
+def check_failing_pieces(place):
+    for rank, call in [(1, "fsync:1"), (2, "rename:1"), (1, "rename:3"), (0, "rename:3"), (0, "fsync:1")]:
+        what = f"{call} of process {rank} fails while it draws"
+        done = place.run(3, "lattice", "undrawn", ["--block-rows", "64", "--vtk"], rank=rank,
+                         variables=[("LD_PRELOAD", place.shim), ("SUPERSTEP_FAIL", call)])
+        said = done.stderr.decode()
+        place.expect(done.returncode == 7, f"{what}: exit {done.returncode}: {said[-500:]}")
+        place.expect(said.count("superstep: error: ") == 1 and "cannot be written" in said, f"{what}: {said[-500:]}")
+        place.expect(not list((place.folder / "undrawn/vtk").glob("*.pvd")), f"{what}: there is a list")
+        place.expect(not place.litter(), f"{what}: left {place.litter()}")
+
+
 def main():
     program, shim = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
     if shutil.which("mpirun") is None or not os.path.exists(f"{os.path.dirname(program)}/libsuperstep_mpi.so"):
@@ -145,8 +183,10 @@ def main():
         place = Place(program, shim, pathlib.Path(folder))
         check_bytes(place)
         check_places(place)
+        check_pieces(place)
         if os.path.exists(shim):  # none beside sanitizers
             check_failures(place)
+            check_failing_pieces(place)
         place.expect(not place.litter(), f"left: {place.litter()}")
     print(f"{place.compared} facts compared, {len(place.faults)} faults")
     print("\n".join(place.faults))

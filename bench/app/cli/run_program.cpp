@@ -10,6 +10,7 @@
 #include "bench/host/machine.hpp"
 #include "bench/host/terminal.hpp"
 #include "bench/measure/shared/worker.hpp"
+#include "bench/output/layered_vtk.hpp"
 #include "core/error.hpp"
 #include "parallel/communicator.hpp"
 
@@ -46,7 +47,7 @@ int carry_out(const Command& command, bool root) {
       },
       command);
   if (!root) {
-    const int code = with_errors_said(true, [] { return serve_the_root(); });
+    const int code = with_errors_said(true, [] { return serve_the_root(write_layered_frame); });
     if (code == static_cast<int>(ExitCode::internal)) world().abort(code);  // the root would wait for ever
     return code;
   }

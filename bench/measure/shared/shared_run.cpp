@@ -23,6 +23,7 @@ struct RunOrder {
   std::string spec;
   Plan plan;  ///< for the whole scene; its probes are entries of the whole state
   bool records = false, observed = false;
+  std::string frames = {};  ///< folder of fields to draw; empty = none are wished
 };
 
 void pack(const RunOrder& order, Packer& out) {
@@ -30,6 +31,7 @@ void pack(const RunOrder& order, Packer& out) {
   out.put(order.spec);
   out.put(order.records);
   out.put(order.observed);
+  out.put(order.frames);
   out.put(plan.t_begin);
   out.put(plan.output_times);
   out.put(plan.ranges);
@@ -47,6 +49,7 @@ RunOrder unpack_order(Unpacker& in) {
   in.take(order.spec);
   in.take(order.records);
   in.take(order.observed);
+  in.take(order.frames);
   in.take(plan.t_begin);
   in.take(plan.output_times);
   in.take(plan.ranges);
@@ -133,7 +136,19 @@ void settle_exception(const Outcome& outcome) {
   world().abort(static_cast<int>(ExitCode::numerical));
 }
 
-Outcome take_part_in(ScenePart& part, const RunOrder& order, const RunRequest& request,
+/// Looks at the states of a scene that nobody has as a whole.
+///   layers  what is here of it
+auto layered_observer(const Scene& layers, ScenePart& part, const RunOrder& order,
+                      const RunRequest& request) {
+  return [&](std::size_t output, double t, std::span<const double> state) {
+    if (!order.frames.empty()) request.write_frame(layers, order.frames, output + 1, t, state);
+    if (request.observe) return request.observe(output, t, state);  // the root keeps it as it likes
+    if (output + 1 == order.plan.output_times.size()) part.final_state.assign(state.begin(), state.end());
+  };
+}
+
+///   layers  what is here of a scene that nobody has as a whole
+Outcome take_part_in(ScenePart& part, const Scene* layers, const RunOrder& order, const RunRequest& request,
                      const std::function<void()>& stepping_begins, RunResult& result) {
   const auto method = make_integrator(order.spec);
   const Traffic traffic = world().traffic();
@@ -149,11 +164,8 @@ Outcome take_part_in(ScenePart& part, const RunOrder& order, const RunRequest& r
     plan.history = &result.history;
   }
   std::function<void(std::size_t, double, std::span<const double>)> observe;
-  if (part.in_layers)
-    observe = [&](std::size_t output, double t, std::span<const double> state) {
-      if (request.observe) return request.observe(output, t, state);  // the root keeps it as it likes
-      if (output + 1 == order.plan.output_times.size()) part.final_state.assign(state.begin(), state.end());
-    };
+  if (layers)
+    observe = layered_observer(*layers, part, order, request);
   else if (order.observed)
     observe = [&](std::size_t output, double t, std::span<const double> state) {
       const auto whole = whole_state(*part.rhs, state);
@@ -165,6 +177,8 @@ Outcome take_part_in(ScenePart& part, const RunOrder& order, const RunRequest& r
                .observe = observe,
                .progress = request.progress,
                .stepping_begins = stepping_begins};
+  if (layers && !order.frames.empty())
+    request.write_frame(*layers, order.frames, 0, order.plan.t_begin, part.initial);
   const RhsCounters before = part.rhs->counters();
   Outcome outcome = run_over(site, *method, result);
   if (result.threw) settle_exception(outcome);
@@ -187,6 +201,7 @@ Outcome run_shared(const Scene& scene, const std::string& spec, const Plan& plan
   RunOrder order{.spec = spec, .plan = plan};
   order.records = request.probes && !request.probes->entries().empty();
   order.observed = static_cast<bool>(request.observe);
+  order.frames = request.frames;
   if (order.records) order.plan.probes = request.probes->entries();
   Packer out;
   out.put(Order::run);
@@ -196,7 +211,8 @@ Outcome run_shared(const Scene& scene, const std::string& spec, const Plan& plan
   running = true;
   try {
     order.plan.reached = plan.reached;
-    Outcome outcome = take_part_in(part, order, request, stepping_begins, result);
+    Outcome outcome =
+        take_part_in(part, part.in_layers ? &scene : nullptr, order, request, stepping_begins, result);
     running = false;
     world().watch(nullptr);
     return outcome;
@@ -204,16 +220,23 @@ Outcome run_shared(const Scene& scene, const std::string& spec, const Plan& plan
     running = false;
     world().watch(nullptr);
     throw;
+  } catch (const EverybodysError&) {
+    running = false;
+    world().watch(nullptr);
+    throw;
   }
 }
 
-void join_run(ScenePart& part, Unpacker& in) {
+void join_run(ScenePart& part, Unpacker& in, const WriteFrame& write_frame) {
   const RunOrder order = unpack_order(in);
   world().watch(&stop_flag());
   RunResult result;
   try {
-    (void)take_part_in(part, order, {}, {}, result);
-  } catch (const NeedsWhole&) {  // the root does it alone
+    RunRequest request;
+    request.write_frame = write_frame;
+    (void)take_part_in(part, part.layered.get(), order, request, {}, result);
+  } catch (const NeedsWhole&) {       // the root does it alone
+  } catch (const EverybodysError&) {  // the root says it
   }
   world().watch(nullptr);
 }

@@ -16,7 +16,7 @@ namespace superstep {
                                  const RunRequest& request, const std::function<void()>& stepping_begins,
                                  RunResult& result);
 /// Elsewhere: takes part in a run that the root has begun.
-void join_run(ScenePart& part, Unpacker& in);
+void join_run(ScenePart& part, Unpacker& in, const WriteFrame& write_frame);
 
 /// True while the root waits for others in the middle of a run.
 [[nodiscard]] bool in_shared_run() noexcept;

@@ -8,7 +8,7 @@
 
 namespace superstep {
 
-int serve_the_root() {
+int serve_the_root(const WriteFrame& write_frame) {
   catch_interrupts();
   ScenePart part;
   while (true) {
@@ -33,7 +33,7 @@ int serve_the_root() {
         send_layered_lines(part);
         break;
       case Order::run:
-        join_run(part, in);
+        join_run(part, in, write_frame);
         break;
       case Order::end:
         return in.take<int>();

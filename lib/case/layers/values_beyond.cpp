@@ -1,0 +1,67 @@
+#include "case/layers/values_beyond.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/index.hpp"
+
+namespace superstep {
+namespace {
+
+struct Range {
+  std::int64_t begin = 0, end = 0;
+  [[nodiscard]] bool empty() const noexcept { return begin >= end; }
+  [[nodiscard]] std::size_t size() const noexcept { return empty() ? 0 : at(end - begin); }
+};
+
+Range overlap(const Range& a, const Range& b) {
+  return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
+}
+
+/// Nodes of each process, everywhere.
+std::vector<Range> ranges_of_all(const LayeredNodes& nodes, Communicator& among) {
+  const double own[] = {static_cast<double>(nodes.begin), static_cast<double>(nodes.end)};
+  const auto all = among.gather(own);
+  const auto view = std::as_bytes(std::span(all));
+  std::vector<std::byte> bytes(view.begin(), view.end());
+  among.broadcast(bytes);
+  std::vector<double> ends(bytes.size() / sizeof(double));
+  std::memcpy(ends.data(), bytes.data(), bytes.size());
+  std::vector<Range> ranges;
+  for (std::size_t k = 0; k + 1 < ends.size(); k += 2)
+    ranges.push_back({static_cast<std::int64_t>(ends[k]), static_cast<std::int64_t>(ends[k + 1])});
+  return ranges;
+}
+
+}  // namespace
+
+std::int64_t reach_of_contacts(const Lattice& lattice) noexcept {
+  return lattice.layer() + lattice.cells[0] + 1;  // that with the next layer, row and column
+}
+
+std::vector<double> values_beyond(const LayeredNodes& nodes, std::span<const double> own,
+                                  Communicator& among) {
+  if (among.alone()) return {};
+  const auto ranges = ranges_of_all(nodes, among);
+  const std::int64_t last = nodes.lattice().size(), reach = reach_of_contacts(nodes.lattice());
+  const auto wanted_by = [&](int rank) {
+    const Range& has = ranges[at(rank)];
+    return has.empty() ? Range{} : Range{has.end, std::min(has.end + reach, last)};
+  };
+  // Everybody sends to lower ranks first, and the lowest one to nobody: nobody waits for ever.
+  const Range here{nodes.begin, nodes.end};
+  for (int to = among.rank() - 1; to >= 0; --to)
+    if (const Range part = overlap(here, wanted_by(to)); !part.empty())
+      among.send(to, std::as_bytes(own.subspan(at(part.begin - here.begin), part.size())));
+  const Range wanted = wanted_by(among.rank());
+  std::vector<double> values(wanted.size());
+  for (int from = among.rank() + 1; from < among.size(); ++from) {
+    const Range part = overlap(wanted, ranges[at(from)]);
+    if (part.empty()) continue;
+    const auto bytes = among.receive(from);
+    std::memcpy(values.data() + (part.begin - wanted.begin), bytes.data(), bytes.size());
+  }
+  return values;
+}
+
+}  // namespace superstep
