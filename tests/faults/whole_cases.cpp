@@ -339,9 +339,8 @@ std::vector<WholeCase> whole_cases(const CaseFolder& folder) {
           {"press", CaseKey::press, press()},
           {"list", CaseKey::press, press_of_a_list()},
           {"necks", CaseKey::press, press_with_necks()},
-          {"sized", CaseKey::press,
-           press_of_sizes(
-               R"({ "distribution": "lognormal", "min": 0.06, "max": 0.12, "sigma": 0.2, "median": 0.09 })")},
+          {"sized", CaseKey::press, press_of_sizes(R"({ "distribution": "lognormal", "min": 0.06, "max": 0.12,
+             "sigma": 0.2, "median": 0.09 })")},
           {"sizes", CaseKey::press,
            press_of_sizes(R"({ "distribution": "list", "diameters": [0.08, 0.1], "weights": [1.0, 2.0] })")},
           {"named", CaseKey::press, press_of_named()},
