@@ -27,6 +27,7 @@ PROCESSES = 4
 BLOCK = ["--block-rows", "8"]  # so that each process has a part of a rod of 40
 COMMANDS = {name: fault_commands.COMMANDS[name] + BLOCK for name in ("run", "lattice", "bench", "checkpoint")}
 fault_commands.COMMANDS.update(COMMANDS)  # one process, too, cuts its sums like that
+LAST_WORDS = 15  # s that a launcher takes at most once its processes are gone
 PATIENCE = 100  # s; some thirty times what a run takes, a third of what its caller allows
 
 
@@ -80,11 +81,25 @@ class Together:
         except subprocess.TimeoutExpired:
             return False
 
+    def wait(self):
+        """True where it ended within the time that it may take. A launcher that stays behind when all its processes are
+        gone is ended: Open MPI 4.1.4 sometimes waits for itself then (in PMIx_server_finalize), which is no fault of ours."""
+        end, alone_since = time.monotonic() + PATIENCE, None
+        while time.monotonic() < end:
+            try:
+                self.out, said = self.process.communicate(timeout=1)
+                self.said = said.decode(errors="replace")
+                return True
+            except subprocess.TimeoutExpired:
+                alone = len(self.ranks) == PROCESSES and not any(alive(*rank) for rank in self.ranks.items())
+                alone_since = (alone_since or time.monotonic()) if alone else None
+            if alone_since and time.monotonic() - alone_since > LAST_WORDS:
+                self.process.kill()
+        return False
+
     def finish(self):
         """What is wrong about how it ended; `said` is what stood on its error output."""
-        try:
-            self.out, said = self.process.communicate(timeout=PATIENCE)
-        except subprocess.TimeoutExpired:
+        if not self.wait():
             self.process.kill()
             for pid, start in self.ranks.items():
                 if alive(pid, start):
@@ -92,7 +107,6 @@ class Together:
             self.out, said = self.process.communicate()
             self.said = said.decode(errors="replace")
             return [f"it hangs: {self.said[-300:]}"]
-        self.said = said.decode(errors="replace")
         end = time.monotonic() + 5  # s; the launcher need not wait for those that it has killed
         while any(alive(*rank) for rank in self.ranks.items()) and time.monotonic() < end:
             time.sleep(0.01)
