@@ -68,7 +68,7 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 class FewLines {
  public:
   void take(std::string_view text) {
-    constexpr std::size_t most = 64 * piece;
+    constexpr std::size_t most = 16 * piece;
     bytes_ += text.size();
     all_ = all_ && bytes_ <= most;
     if (all_)

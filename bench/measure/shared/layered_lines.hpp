@@ -19,7 +19,7 @@ struct WrittenLines {
 };
 
 /// On the root: has every process write its lines into a file that is there and empty, behind `head` and the
-/// lines of the processes before it. Nobody holds more than 64 MB of them.
+/// lines of the processes before it. Nobody holds more than 16 MB of them.
 ///   state  of the rows that are here
 [[nodiscard]] WrittenLines write_layered_lines(const Scene& scene, std::span<const double> state,
                                                std::string_view head, const std::string& file);
