@@ -66,6 +66,7 @@ TEST_F(NetworkInputs, SourcesAtChosenNodesOfANetworkMayFollowTime) {
   const std::string nodes = begin + "nodes = \"n.csv\"\nedges = \"e.csv\"\n";
   expect_refused(nodes + held + "source = [ { ids = [1], value = 1 } ]\n", "node 1 is fixed: a source there");
   expect_refused(nodes + "source = [ { ids = [4], value = 1 } ]\n", "ids run from 1 to 3");
+  expect_refused(nodes + "source = [ { ids = [2, 3, 2], value = 1 } ]\n", "it stands twice");
   expect_refused(nodes + "source = []\n", "at least one entry");
   expect_refused(nodes + "source = 1.0\n", "nodes has a column of that name");
   expect_refused(nodes + "fixed = \"f.csv\"\n", "nodes has a column of that name");

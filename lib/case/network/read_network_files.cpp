@@ -85,9 +85,12 @@ std::vector<std::size_t> nodes_of(TomlTable& entry, const Graph& graph, const Po
   for (std::size_t k = 0; k < graph.nodes(); ++k) position.emplace(graph.id[k], k);
   const auto ids = entry.require("ids", "it lists nodes");
   if (ids.array().empty()) ids.reject("it must hold at least one id");
+  std::vector<char> taken(graph.nodes());
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
     if (found == position.end()) id.reject("it must be the id of a node; " + ids_in_words(graph.id));
+    if (taken[found->second]) id.reject("it stands twice; keep one");
+    taken[found->second] = 1;
     out.push_back(found->second);
   }
   return out;
