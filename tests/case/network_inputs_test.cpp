@@ -34,10 +34,10 @@ TEST_F(NetworkInputs, MatricesEdgeListsAndNodesWithoutCapacity) {
   folder_.write("net.csv", "throat.conns[0],throat.conns[1],throat.g,pore.coords[0]\n0,1,2.0,0\n,,,1\n");
   for (const char* network :
        {"matrix = \"m.mtx\"\n", "openpnm = \"net.csv\"\nconductance = \"throat.g\"\n"}) {
-    const Scene scene = load(std::string("t_end = 1\n[network]\n") + network);
-    EXPECT_EQ(scene.fields[0].graph.capacity[0], 1);
+    const Scene plain = load(std::string("t_end = 1\n[network]\n") + network);
+    EXPECT_EQ(plain.fields[0].graph.capacity[0], 1);
     std::string notes;
-    for (const auto& note : scene.warnings) notes += note + "\n";
+    for (const auto& note : plain.warnings) notes += note + "\n";
     EXPECT_NE(notes.find("every node has 1"), std::string::npos) << notes;
   }
   expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
