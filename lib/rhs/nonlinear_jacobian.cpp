@@ -29,24 +29,16 @@ const T* pointer_to(const std::optional<T>& value) noexcept {
 
 /// Which values on slots are unknowns, here or elsewhere.
 void NonlinearRhs::mark_slots(const NonlinearInput& input) {
-  const auto slot = [this](std::int32_t node) { return at(slot_of_node_[at(node)]); };
-  const FieldInput* potential = input.steady_potential ? nullptr : pointer_to(input.potential);
+  const auto mark = [this](const std::vector<std::int32_t>& nodes, auto& moves) {
+    for (const auto node : nodes) moves[at(slot_of_node_[at(node)])] = 1;
+  };
   temperature_moves_.assign(slot_of_node_.size(), 0);
   potential_moves_.assign(slot_of_node_.size(), 0);
-  std::fill_n(temperature_moves_.begin(), thermal_->size(), 1);
-  if (potential)
-    for (const auto node : potential->network.node_of_row) potential_moves_[slot(node)] = 1;
-  if (!input.among()) return;
-  kind_of_slot_.resize(slot_of_node_.size());
-  for (const auto node : input.temperature.node_of_halo) {
-    kind_of_slot_[slot(node)].temperature_elsewhere = true;
-    temperature_moves_[slot(node)] = 1;
-  }
-  if (!potential) return;
-  for (const auto node : potential->node_of_halo) {
-    kind_of_slot_[slot(node)].potential_elsewhere = true;
-    potential_moves_[slot(node)] = 1;
-  }
+  mark(input.temperature.network.node_of_row, temperature_moves_);
+  mark(input.temperature.node_of_halo, temperature_moves_);
+  if (!input.potential || input.steady_potential) return;
+  mark(input.potential->network.node_of_row, potential_moves_);
+  mark(input.potential->node_of_halo, potential_moves_);
 }
 
 /// Passes on what a row owes to the temperature on a slot, if that may move.
@@ -54,15 +46,8 @@ template <class Add>
 void NonlinearRhs::add_of_temperature(std::size_t row, std::size_t slot, double value, Add& add) const {
   if (slot < thermal_->size())
     add(row, temperature_offset_ + slot, value);
-  else if (!kind_of_slot_.empty() && kind_of_slot_[slot].temperature_elsewhere)
+  else if (temperature_moves_[slot])
     add(row, row < temperature_offset_ ? across_elsewhere : column_elsewhere, value);
-}
-
-void NonlinearRhs::update_slopes(double t, std::span<const double> y) {
-  if (!thermal_conductivity_ && !electric_conductivity_) return;
-  const auto slots = temperature_slots_->on_slots(t, y.data() + temperature_offset_);
-  if (thermal_conductivity_) thermal_conductivity_->update_slopes(slots);
-  if (electric_conductivity_) electric_conductivity_->update_slopes(slots);
 }
 
 /// Every contribution to df/dy, the same ones in the same order at every state. The steady potential counts
@@ -71,8 +56,7 @@ void NonlinearRhs::update_slopes(double t, std::span<const double> y) {
 /// of the other field.
 template <class Add>
 void NonlinearRhs::enumerate_jacobian(double t, std::span<const double> y, Add add) {
-  update_conductances(t, y.data() + temperature_offset_);
-  update_slopes(t, y);
+  update_conductances(t, y.data() + temperature_offset_, true);
   const auto add_temperature = [&](std::size_t row, std::size_t slot, double value) {
     add_of_temperature(row, slot, value, add);
   };
@@ -102,7 +86,7 @@ void NonlinearRhs::enumerate_joule(double t, std::span<const double> y, Add& add
     const auto entry = row_of_potential_slot_[slot];
     if (entry >= 0)
       add(temperature_offset_ + row, static_cast<std::size_t>(entry), value);
-    else if (!kind_of_slot_.empty() && kind_of_slot_[slot].potential_elsewhere)
+    else if (potential_moves_[slot] != 0)
       add(temperature_offset_ + row, across_elsewhere, value);
   };
   joule_->jacobian(potential_on_slots(t, y.data()), pointer_to(electric_conductivity_), add_potential,
@@ -138,8 +122,7 @@ void NonlinearRhs::sum_rows_of_jacobian(double t, std::span<const double> y) {
   own.assign(size(), 0.0);
   cross.assign(size(), 0.0);
   const auto temperature = temperature_of(y);
-  update_conductivities(t, temperature.data());
-  update_slopes(t, y);
+  update_conductivities(t, temperature.data(), true);
   auto add = [&](std::size_t row, std::size_t column, double value) {
     const bool same =
         column == column_elsewhere ||

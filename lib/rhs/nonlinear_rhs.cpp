@@ -192,15 +192,18 @@ const FieldOperator& NonlinearRhs::field_operator(std::size_t field) const noexc
   return steps_potential() && field == 0 ? *electric_ : *thermal_;
 }
 
-void NonlinearRhs::update_conductivities(double t, const double* temperature) {
+void NonlinearRhs::update_conductivities(double t, const double* temperature, bool slopes) {
   if (!thermal_conductivity_ && !electric_conductivity_) return;
   const auto slots = temperature_slots_->on_slots(t, temperature);
-  if (thermal_conductivity_) thermal_conductivity_->update(slots);
-  if (electric_conductivity_) electric_conductivity_->update(slots);
+  for (auto* conductivity : {&thermal_conductivity_, &electric_conductivity_}) {
+    if (!*conductivity) continue;
+    (*conductivity)->update(slots);
+    if (slopes) (*conductivity)->update_slopes(slots);
+  }
 }
 
-void NonlinearRhs::update_conductances(double t, const double* temperature) {
-  update_conductivities(t, temperature);
+void NonlinearRhs::update_conductances(double t, const double* temperature, bool slopes) {
+  update_conductivities(t, temperature, slopes);
   if (thermal_law_) thermal_law_->apply(*thermal_conductivity_, *thermal_);
   if (electric_law_) electric_law_->apply(*electric_conductivity_, *electric_);
 }

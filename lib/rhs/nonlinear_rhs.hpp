@@ -87,9 +87,10 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   [[nodiscard]] std::span<const double> temperature_of(std::span<const double> y) const noexcept {
     return y.subspan(temperature_offset_);
   }
-  void update_conductivities(double t, const double* temperature);
+  ///   slopes  and their slopes
+  void update_conductivities(double t, const double* temperature, bool slopes = false);
   /// Conductances for the temperatures in y, for what needs them as a matrix; stages form their own.
-  void update_conductances(double t, const double* temperature);
+  void update_conductances(double t, const double* temperature, bool slopes = false);
   /// Which law the rows that are here go beyond.
   [[nodiscard]] std::optional<std::string> violation_here(std::span<const double> y, double slack) const;
   /// Joule heating of the rows at (t, y) [K/s], in joule_rate_.
@@ -102,7 +103,6 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   void add_of_temperature(std::size_t row, std::size_t slot, double value, Add& add) const;
   [[nodiscard]] std::span<const double> potential_on_slots(double t, const double* y);
   void mark_slots(const NonlinearInput& input);
-  void update_slopes(double t, std::span<const double> y);
   void sum_rows_of_jacobian(double t, std::span<const double> y);
   [[nodiscard]] double scaled_gershgorin(double t, std::span<const double> y);
   void find_facts(const NonlinearInput& input);
@@ -120,13 +120,8 @@ class NonlinearRhs final : public Rhs, public OneWayCoupling {
   std::unique_ptr<SteadyPotential> steady_;
   std::optional<JouleHeat> joule_;
   std::vector<std::int32_t> row_of_potential_slot_;  ///< [slots] -1 = not a row
-  struct SlotKind {
-    bool temperature_elsewhere = false, potential_elsewhere = false;  ///< a row that another process has
-  };
-  std::vector<SlotKind> kind_of_slot_;  ///< [slots], only where processes share the scene
-  std::vector<char>
-      temperature_moves_;  ///< [slots] whether the temperature is that of a row, here or elsewhere
-  std::vector<double> potential_moves_;  ///< [slots] 1 or 0, likewise of the potential
+  std::vector<char> temperature_moves_;              ///< [slots] whether it is a row's, here or elsewhere
+  std::vector<double> potential_moves_;              ///< [slots] 1 or 0, likewise of the potential
   std::vector<double> own_sum_, cross_sum_, law_sum_;
   std::vector<double> joule_rate_;                 ///< [temperature rows] K/s
   double thermal_bound_ = 0, electric_bound_ = 0;  ///< of constant conductances [1/s]

@@ -45,130 +45,154 @@ struct Arithmetic {
   }
 };
 
+/// So many rows side by side; one where a slice is not whole.
 template <std::size_t width>
-SUPERSTEP_INLINE void pick(const double* values, const std::int32_t* column,
-                           typename Vector<width>::type& out) {
-  for (std::size_t lane = 0; lane < width; ++lane) out[lane] = values[column[lane]];
+struct Lanes {
+  using Number = typename Vector<width>::type;
+  SUPERSTEP_INLINE static void own(const NodePair* nodes, std::size_t row, Number& value, Number& s) {
+    own_nodes<width>(nodes, row, value, s);
+  }
+  SUPERSTEP_INLINE static void other(const NodePair* nodes, const std::int32_t* column, Number& value,
+                                     Number& s) {
+    gather_pairs<width>(nodes, column, value, s);
+  }
+  SUPERSTEP_INLINE static void pick(const double* values, const std::int32_t* column, Number& out) {
+    for (std::size_t lane = 0; lane < width; ++lane) out[lane] = values[column[lane]];
+  }
+};
+template <>
+struct Lanes<1> {
+  using Number = double;
+  SUPERSTEP_INLINE static void own(const NodePair* nodes, std::size_t row, double& value, double& s) {
+    value = nodes[row].value;
+    s = nodes[row].s;
+  }
+  SUPERSTEP_INLINE static void other(const NodePair* nodes, const std::int32_t* column, double& value,
+                                     double& s) {
+    own(nodes, static_cast<std::size_t>(*column), value, s);
+  }
+  SUPERSTEP_INLINE static void pick(const double* values, const std::int32_t* column, double& out) {
+    out = values[*column];
+  }
+};
+
+template <class Number>
+SUPERSTEP_INLINE void load(const double* from, Number& out) {
+  std::memcpy(&out, from, sizeof(Number));
+}
+template <class Number>
+SUPERSTEP_INLINE void store(const Number& value, double* to) {
+  std::memcpy(to, &value, sizeof(Number));
 }
 
-/// Rows of a slice that are not all there, one by one.
+template <class Number>
+SUPERSTEP_INLINE void take_magnitude(Number& value) {
+  value = value < 0 ? -value : value;
+}
+
+/// What conduction and laws sum up in rows.
 template <class Mean>
-SUPERSTEP_INLINE void sum_rows(const SlicedRows& geometry, const NodePair* nodes, const double* bend,
-                               std::size_t slice, const JacobianSums& out) {
-  for (std::size_t row = slice * lanes; row < geometry.rows(); ++row) {
-    double conduction = 0, laws = 0;
-    for (auto k = geometry.begin()[slice]; k < geometry.begin()[slice + 1]; k += lanes) {
-      const auto entry = k + static_cast<std::int64_t>(row % lanes);
-      const auto column = static_cast<std::size_t>(geometry.column()[entry]);
-      double rate, law;
-      Mean::sums(geometry.value()[entry], nodes[row].s + nodes[column].s, bend[row] + bend[column], rate,
-                 law);
-      const double difference = nodes[column].value - nodes[row].value;
+struct Conduction {
+  const NodePair* nodes;
+  const double* bend;
+  const JacobianSums& out;
+
+  template <std::size_t width>
+  SUPERSTEP_INLINE void rows(std::size_t row, const std::int32_t* column, const double* geometry,
+                             std::size_t entries) const {
+    using At = Lanes<width>;
+    typename At::Number own, own_s, own_bend, conduction{}, laws{};
+    At::own(nodes, row, own, own_s);
+    load(bend + row, own_bend);
+    for (std::size_t k = 0; k < entries; ++k, column += lanes, geometry += lanes) {
+      typename At::Number other, s, other_bend, factor, rate, law;
+      At::other(nodes, column, other, s);
+      At::pick(bend, column, other_bend);
+      load(geometry, factor);
+      s += own_s;
+      other_bend += own_bend;
+      Mean::sums(factor, s, other_bend, rate, law);
+      other -= own;
+      take_magnitude(other);
       conduction += rate;
-      laws += law * (difference < 0 ? -difference : difference);
+      laws += law * other;
     }
-    out.conduction[row] = conduction;
-    out.laws[row] = laws;
+    store(conduction, out.conduction.data() + row);
+    store(laws, out.laws.data() + row);
   }
-}
+};
 
-template <std::size_t width, class Mean>
-SUPERSTEP_INLINE void sum_slices(const SlicedRows& geometry, const NodePair* nodes, const double* bend,
-                                 std::size_t first, std::size_t last, const JacobianSums& out) {
-  using Pack = typename Vector<width>::type;
-  constexpr std::size_t packs = lanes / width;
-  const std::size_t whole = std::min(last, geometry.rows() / lanes);
-  for (std::size_t slice = first; slice < whole; ++slice)
-    for (std::size_t p = 0; p < packs; ++p) {
-      const std::size_t row = slice * lanes + p * width;
-      Pack own, own_s, own_bend, conduction{}, laws{};
-      own_nodes<width>(nodes, row, own, own_s);
-      std::memcpy(&own_bend, bend + row, sizeof(Pack));
-      for (auto k = geometry.begin()[slice]; k < geometry.begin()[slice + 1]; k += lanes) {
-        const std::int32_t* column = geometry.column() + k + p * width;
-        Pack other, s, other_bend, factor, rate, law;
-        gather_pairs<width>(nodes, column, other, s);
-        pick<width>(bend, column, other_bend);
-        std::memcpy(&factor, geometry.value() + k + p * width, sizeof(Pack));
-        Mean::sums(factor, Pack(own_s + s), Pack(own_bend + other_bend), rate, law);
-        const Pack difference = other - own;
-        conduction += rate;
-        laws += law * (difference < 0 ? -difference : difference);
-      }
-      std::memcpy(out.conduction.data() + row, &conduction, sizeof(Pack));
-      std::memcpy(out.laws.data() + row, &laws, sizeof(Pack));
-    }
-  if (whole < last) sum_rows<Mean>(geometry, nodes, bend, whole, out);
-}
-
+/// What the heat of a current sums up in rows.
 template <class Mean>
-SUPERSTEP_INLINE void heat_rows(const SlicedRows& geometry, const HeatColumns& columns,
-                                const double* inverse_capacity, std::size_t slice, const HeatSums& out) {
-  for (std::size_t row = slice * lanes; row < geometry.rows(); ++row) {
-    double temperatures = 0, potentials = 0;
-    for (auto k = geometry.begin()[slice]; k < geometry.begin()[slice + 1]; k += lanes) {
-      const auto entry = k + static_cast<std::int64_t>(row % lanes);
-      const auto column = static_cast<std::size_t>(geometry.column()[entry]);
-      const NodePair own = columns.nodes[row], other = columns.nodes[column];
-      double share, slope;
-      Mean::heat(own.s, other.s, columns.bend[row], columns.bend[column], share, slope);
-      const double difference = other.value - own.value, factor = geometry.value()[entry];
-      temperatures += factor * (difference * difference) * slope;
-      potentials += factor * (difference < 0 ? -difference : difference) * share *
-                    (columns.moves[row] + columns.moves[column]);
-    }
-    out.temperatures[row] += temperatures * inverse_capacity[row];
-    out.potentials[row] += 2 * potentials * inverse_capacity[row];
-  }
-}
+struct Heat {
+  const HeatColumns& columns;
+  const double* inverse_capacity;
+  const HeatSums& out;
 
-template <std::size_t width, class Mean>
-SUPERSTEP_INLINE void heat_slices(const SlicedRows& geometry, const HeatColumns& columns,
-                                  const double* inverse_capacity, std::size_t first, std::size_t last,
-                                  const HeatSums& out) {
-  using Pack = typename Vector<width>::type;
-  constexpr std::size_t packs = lanes / width;
-  const std::size_t whole = std::min(last, geometry.rows() / lanes);
-  for (std::size_t slice = first; slice < whole; ++slice)
-    for (std::size_t p = 0; p < packs; ++p) {
-      const std::size_t row = slice * lanes + p * width;
-      Pack own, own_s, own_bend, own_moves, temperatures{}, potentials{};
-      own_nodes<width>(columns.nodes, row, own, own_s);
-      std::memcpy(&own_bend, columns.bend + row, sizeof(Pack));
-      std::memcpy(&own_moves, columns.moves + row, sizeof(Pack));
-      for (auto k = geometry.begin()[slice]; k < geometry.begin()[slice + 1]; k += lanes) {
-        const std::int32_t* column = geometry.column() + k + p * width;
-        Pack other, s, bend, moves, factor, share, slope;
-        gather_pairs<width>(columns.nodes, column, other, s);
-        pick<width>(columns.bend, column, bend);
-        pick<width>(columns.moves, column, moves);
-        std::memcpy(&factor, geometry.value() + k + p * width, sizeof(Pack));
-        Mean::heat(own_s, s, own_bend, bend, share, slope);
-        const Pack difference = other - own;
-        temperatures += factor * (difference * difference) * slope;
-        potentials += factor * (difference < 0 ? -difference : difference) * share * (own_moves + moves);
-      }
-      Pack scale, before;
-      std::memcpy(&scale, inverse_capacity + row, sizeof(Pack));
-      std::memcpy(&before, out.temperatures.data() + row, sizeof(Pack));
-      const Pack own_sum = before + temperatures * scale;
-      std::memcpy(out.temperatures.data() + row, &own_sum, sizeof(Pack));
-      std::memcpy(&before, out.potentials.data() + row, sizeof(Pack));
-      const Pack cross_sum = before + 2 * potentials * scale;
-      std::memcpy(out.potentials.data() + row, &cross_sum, sizeof(Pack));
+  template <std::size_t width>
+  SUPERSTEP_INLINE void rows(std::size_t row, const std::int32_t* column, const double* geometry,
+                             std::size_t entries) const {
+    using At = Lanes<width>;
+    typename At::Number own, own_s, own_bend, own_moves, temperatures{}, potentials{};
+    At::own(columns.nodes, row, own, own_s);
+    load(columns.bend + row, own_bend);
+    load(columns.moves + row, own_moves);
+    for (std::size_t k = 0; k < entries; ++k, column += lanes, geometry += lanes) {
+      typename At::Number other, s, bend, moves, factor, share, slope;
+      At::other(columns.nodes, column, other, s);
+      At::pick(columns.bend, column, bend);
+      At::pick(columns.moves, column, moves);
+      load(geometry, factor);
+      Mean::heat(own_s, s, own_bend, bend, share, slope);
+      other -= own;
+      take_magnitude(other);
+      temperatures += factor * (other * other) * slope;
+      potentials += factor * other * share * (own_moves + moves);
     }
-  if (whole < last) heat_rows<Mean>(geometry, columns, inverse_capacity, whole, out);
+    typename At::Number scale;
+    load(inverse_capacity + row, scale);
+    add(temperatures * scale, out.temperatures.data() + row);
+    add(2 * potentials * scale, out.potentials.data() + row);
+  }
+
+  template <class Number>
+  SUPERSTEP_INLINE static void add(const Number& value, double* to) {
+    Number sum;
+    load(to, sum);
+    sum += value;
+    store(sum, to);
+  }
+};
+
+/// Whole slices `width` rows at a time, the rest of the last one row by row.
+template <std::size_t width, class What>
+SUPERSTEP_INLINE void pass(const SlicedRows& geometry, std::size_t first, std::size_t last,
+                           const What& what) {
+  const std::size_t whole = std::min(last, geometry.rows() / lanes);
+  for (std::size_t slice = first; slice < last; ++slice) {
+    const auto begin = geometry.begin()[slice];
+    const auto entries = static_cast<std::size_t>(geometry.begin()[slice + 1] - begin) / lanes;
+    const std::int32_t* column = geometry.column() + begin;
+    const double* value = geometry.value() + begin;
+    const std::size_t row = slice * lanes;
+    if (slice < whole)
+      for (std::size_t lane = 0; lane < lanes; lane += width)
+        what.template rows<width>(row + lane, column + lane, value + lane, entries);
+    else
+      for (std::size_t lane = 0; row + lane < geometry.rows(); ++lane)
+        what.template rows<1>(row + lane, column + lane, value + lane, entries);
+  }
 }
 
 #define SUPERSTEP_BOUND(name, Mean, width, ...)                                                         \
   __VA_ARGS__ void sums_##name(const SlicedRows& geometry, const NodePair* nodes, const double* bend,   \
                                std::size_t first, std::size_t last, const JacobianSums& out) noexcept { \
-    sum_slices<width, Mean>(geometry, nodes, bend, first, last, out);                                   \
+    pass<width>(geometry, first, last, Conduction<Mean>{nodes, bend, out});                             \
   }                                                                                                     \
   __VA_ARGS__ void heat_##name(const SlicedRows& geometry, const HeatColumns& columns,                  \
                                const double* inverse_capacity, std::size_t first, std::size_t last,     \
                                const HeatSums& out) noexcept {                                          \
-    heat_slices<width, Mean>(geometry, columns, inverse_capacity, first, last, out);                    \
+    pass<width>(geometry, first, last, Heat<Mean>{columns, inverse_capacity, out});                     \
   }
 
 SUPERSTEP_BOUND(harmonic_baseline, Harmonic, 4)
