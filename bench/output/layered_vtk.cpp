@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <new>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "bench/measure/run_one.hpp"
+#include "bench/measure/shared/failure_of.hpp"
 #include "bench/output/vtk_frames.hpp"
 #include "case/layers/layered_scene.hpp"
 #include "case/layers/values_beyond.hpp"
@@ -127,15 +126,7 @@ VtkPolyData contacts_of(const LayeredNodes& nodes, const std::string& field, dou
 /// Does what may fail on some process; then all throw what the lowest one says.
 template <class Work>
 void everybodys(const Work& work) {
-  std::optional<std::string> failure;
-  try {
-    work();
-  } catch (const std::bad_alloc&) {
-    failure = "a process found no memory for a file to draw; leave --vtk out, or take more processes";
-  } catch (const std::exception& error) {
-    failure = error.what();
-  }
-  if (const auto first = world().first_of(failure)) throw EverybodysError(*first);
+  if (const auto first = world().first_of(failure_of(work))) throw EverybodysError(*first);
 }
 
 }  // namespace

@@ -4,24 +4,12 @@ check_vtk.py FOLDER: exit code 0 when everything agrees, 77 when there is no VTK
 """
 import csv
 import math
+import pathlib
 import sys
-import xml.etree.ElementTree as ElementTree
 
-try:
-    import vtk
-except ImportError:
-    print("python3-vtk9 is not installed")
-    sys.exit(77)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-
-def read(path):
-    reader = vtk.vtkXMLPolyDataReader()
-    errors = []
-    reader.AddObserver("ErrorEvent", lambda *_: errors.append(path))
-    reader.SetFileName(path)
-    reader.Update()
-    assert not errors, f"VTK complains about {path}"
-    return reader.GetOutput()
+from vtk_files import read, series, vtk
 
 
 def column(data, name):
@@ -30,9 +18,8 @@ def column(data, name):
     return [array.GetValue(k) for k in range(array.GetNumberOfTuples())]
 
 
-def series(folder, name):
-    sets = ElementTree.parse(f"{folder}/vtk/{name}.pvd").getroot().find("Collection").findall("DataSet")
-    return [(float(one.get("timestep")), read(f"{folder}/vtk/{one.get('file')}")) for one in sets]
+def frames(name):
+    return [(t, read(f"{folder}/vtk/{file}")) for t, file in series(folder, name)]
 
 
 folder = sys.argv[1]
@@ -42,7 +29,7 @@ columns = next(iter(rows.values())).keys()
 fields = [name for name in ("temperature", "potential", "current") if name in columns]
 moving = "vx" in columns
 
-particles, contacts = series(folder, "particles"), series(folder, "contacts")
+particles, contacts = frames("particles"), frames("contacts")
 times = [t for t, _ in particles]
 assert times == sorted(times) and times[0] == 0 and len(times) > 1, times
 assert times == [t for t, _ in contacts]

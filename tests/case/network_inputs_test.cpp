@@ -1,5 +1,7 @@
 /// Cases that take networks as people have them: matrices, edges, tables of nodes.
 
+#include <fmt/format.h>
+
 #include "support/case_texts.hpp"
 
 namespace superstep {
@@ -43,27 +45,44 @@ TEST_F(NetworkInputs, MatricesEdgeListsAndNodesWithoutCapacity) {
   expect_refused("t_end = 1\n[network]\nedges = \"e.txt\"\nmatrix = \"K.mtx\"\n", "give one of");
 }
 
-/// A current that is fed into one node of a network, however that comes: 1 - 2 - 3 held at 1.
-TEST_F(NetworkInputs, SourcesAtChosenNodesOfANetworkMayFollowTime) {
+/// A current that is fed into one node of a network, however that comes: 1 - 2 - 3 with 1 held, from rest.
+TEST_F(NetworkInputs, SourcesAtChosenNodesMayFollowTime) {
   folder_.write("e.csv", "i,j,conductance\n1,2,1\n2,3,1\n");
-  folder_.write("n.csv", "id,capacity,source,initial,fixed\n1,1,0,0,\n2,1,0.25,0,\n3,1,0,0,\n");
   folder_.write("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n2 1 1\n3 2 1\n");
-  const std::string begin = "t_end = 200\n[network]\n",
-                    held = "fixed = [ { ids = [1], value = { times = [0, 30], values = [7, 0] } } ]\n",
-                    step = "source = [ { ids = [3], value = { times = [0, 1, 1], values = [9, 9, 2] } }, ",
-                    rest = " ]\n";
-  // In the end 2 W enter at 3, and with the table of nodes 0.25 W at 2 as well.
-  const std::string other = "{ ids = [2, 3], value = 0.5 }";
-  const auto listed =
-      values_at_end(load(begin + "nodes = \"n.csv\"\nedges = \"e.csv\"\n" + held + step + other + rest));
-  EXPECT_NEAR(listed[1], 3.25, 1e-6);
-  EXPECT_NEAR(listed[2], 5.75, 1e-6);
-  for (const std::string network : {"matrix = \"K.mtx\"\n", "edges = \"e.csv\"\ncapacity = 1\n"}) {
-    const auto value = values_at_end(load(begin + network + held + step + other + rest));
-    EXPECT_NEAR(value[1], 3, 1e-6);
-    EXPECT_NEAR(value[2], 5.5, 1e-6);
+  const std::string step =
+      "source = [ { ids = [3], value = { times = [0, 1, 1], values = [9, 9, 2] } }, "
+      "{ ids = [2, 3], value = 0.5 } ]\n";
+  const std::string files = "nodes = \"n.csv\"\nedges = \"e.csv\"\n";
+  for (const double offset : {0.0, 300.0}) {
+    const auto scene = [&](double t_end, const std::string& network, const std::string& more) {
+      return load(
+          fmt::format("t_end = {}\n[network]\n{}fixed = [ {{ ids = [1], value = {{ times = [0, 30], "
+                      "values = [{}, {}] }} }} ]\n{}{}",
+                      t_end, network, offset + 7, offset, step, more));
+    };
+    folder_.write(
+        "n.csv",
+        fmt::format("id,capacity,source,initial,fixed\n1,1,0,{0},\n2,1,0.25,{0},\n3,1,0,{0},\n", offset));
+    // In the end 2.5 W enter at 3 and 0.5 W at 2; with the table of nodes 0.25 W there as well.
+    const auto listed = values_at_end(scene(200, files, ""));
+    EXPECT_NEAR(listed[1] - offset, 3.25, 1e-6);
+    EXPECT_NEAR(listed[2] - offset, 5.75, 1e-6);
+    for (const std::string network : {"matrix = \"K.mtx\"\n", "edges = \"e.csv\"\ncapacity = 1\n"}) {
+      const std::string start = fmt::format("initial = {}\n", offset);
+      const auto value = values_at_end(scene(200, network, start));
+      EXPECT_NEAR(value[1] - offset, 3, 1e-6);
+      EXPECT_NEAR(value[2] - offset, 5.5, 1e-6);
+      // On either side of the step, where 3 gains what enters it and what comes from 2.
+      const auto before = values_at_end(scene(1 - 1e-3, network, start)),
+                 at = values_at_end(scene(1, network, start)),
+                 behind = values_at_end(scene(1 + 1e-3, network, start));
+      const double from_2 = at[1] - at[2];
+      EXPECT_NEAR((at[2] - before[2]) / 1e-3, 9.5 + from_2, 0.02);
+      EXPECT_NEAR((behind[2] - at[2]) / 1e-3, 2.5 + from_2, 0.02);
+    }
   }
-  const std::string nodes = begin + "nodes = \"n.csv\"\nedges = \"e.csv\"\n";
+  const std::string begin = "t_end = 200\n[network]\n", held = "fixed = [ { ids = [1], value = 0 } ]\n";
+  const std::string nodes = begin + files;
   expect_refused(nodes + held + "source = [ { ids = [1], value = 1 } ]\n", "node 1 is fixed: a source there");
   expect_refused(nodes + "source = [ { ids = [4], value = 1 } ]\n", "ids run from 1 to 3");
   expect_refused(nodes + "source = [ { ids = [2, 3, 2], value = 1 } ]\n", "it stands twice");

@@ -5,31 +5,14 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "tests/parallel"))
+
+import scenes
 
 PRESS = (SOURCE / "tests/support/small_press.toml").read_text()
-
-LATTICE = """
-t_end = 2.0
-output_times = [0.5, 2.0]
-probe = 20
-[packing]
-generator = "lattice"
-cells = [4, 4, 9]
-spacing = 1.0
-diameter = 1.02
-length_unit = "mm"
-[material]
-density = 7800.0
-[contact]
-neck = "hertz"
-[thermal]
-conductivity = 50.0
-specific_heat = 460.0
-initial = 300.0
-fixed = [ { where = "top", value = 400.0 }, { where = "bottom", value = 300.0 } ]
-"""
 
 
 def nodes_and_edges(nodes):
@@ -65,7 +48,7 @@ class Folder:
             't_end = 300.0\noutput_times = [30.0, 100.0, 300.0]\nprobe = 20\n[network]\nnodes = "nodes.csv"\n'
             'edges = "edges.csv"\n[bench]\nbaseline = "forward-euler"\nintegrators = ["rkc", "cvode"]\n')
         (self.path / "press.toml").write_text(PRESS)
-        (self.path / "lattice.toml").write_text(LATTICE)
+        (self.path / "lattice.toml").write_text(scenes.heated_lattice([4, 4, 9], t_end=2.0, early=0.5))
         if name == "report":
             self.call(["bench", "rod.toml", "--out", "measured", "--repetitions", "1"], check=True)
         self.inputs = self.files()

@@ -19,32 +19,6 @@ bool has_petsc() {
   return std::any_of(all.begin(), all.end(), [](const auto& entry) { return entry.name == "petsc"; });
 }
 
-struct Found {
-  Outcome outcome;
-  std::vector<std::vector<double>> states;
-};
-
-/// From zero; `high` is the upper end of both fields.
-Found run(Rhs& rhs, const std::string& spec, const std::vector<double>& times, double high) {
-  Found out;
-  Plan plan;
-  plan.output_times = times;
-  plan.ranges.assign(rhs.fields().size(), FieldRange{0, high});
-  const auto method = make_integrator(spec);
-  try {
-    method->prepare(rhs, plan);
-    method->start(0, std::vector<double>(rhs.size(), 0.0));
-    for (const double t : times) {
-      out.outcome = method->advance(t);
-      if (!out.outcome.ok()) return out;
-      out.states.emplace_back(method->state().begin(), method->state().end());
-    }
-  } catch (const Refused& refused) {
-    out.outcome = {Status::refused, refused.what()};
-  }
-  return out;
-}
-
 class Multigrid : public testing::Test {
  protected:
   void SetUp() override {
@@ -124,8 +98,8 @@ TEST_F(Multigrid, SolvesConductivitiesThatFollowTheTemperature) {
           .nodes = 120, .thermal = {law, {.value = 1}}, .convection = true, .radiation = true}
           .build();
   const std::vector<double> times = {1.0, 15.0};
-  const auto one = run(*rhs, multigrid, times, 1),
-             other = run(*rhs, "petsc:rtol=1e-7,order=5,linsol=lu", times, 1);
+  const auto one = test::run_coupled(*rhs, multigrid, times, {0, 1}),
+             other = test::run_coupled(*rhs, "petsc:rtol=1e-7,order=5,linsol=lu", times, {0, 1});
   ASSERT_TRUE(one.outcome.ok()) << one.outcome.reason;
   ASSERT_TRUE(other.outcome.ok()) << other.outcome.reason;
   EXPECT_LT(test::rms_difference(one.states[1], other.states[1]), 10 * allowed);
@@ -137,10 +111,11 @@ TEST_F(Multigrid, SolvesTwoFieldsThatActOnEachOther) {
       test::Thermoelectric{.nodes = 120, .electric = {law, {.value = 1}}, .convection = true}.build();
   ASSERT_EQ(rhs->fields().size(), 2U);
   const std::vector<double> times = {1.0, 15.0};
-  const auto one = run(*rhs, multigrid, times, 1);
+  const auto one = test::run_coupled(*rhs, multigrid, times, {0, 1});
   ASSERT_TRUE(one.outcome.ok()) << one.outcome.reason;
   for (const char* solver : {"lu", "gmres"}) {
-    const auto other = run(*rhs, std::string("petsc:rtol=1e-7,order=5,linsol=") + solver, times, 1);
+    const auto other =
+        test::run_coupled(*rhs, std::string("petsc:rtol=1e-7,order=5,linsol=") + solver, times, {0, 1});
     ASSERT_TRUE(other.outcome.ok()) << other.outcome.reason;
     EXPECT_LT(test::rms_difference(one.states[1], other.states[1]), 10 * allowed) << solver;
   }

@@ -14,45 +14,9 @@
 namespace superstep {
 namespace {
 
+using test::CoupledRun;
+using test::run_coupled;
 using test::Thermoelectric;
-
-struct CoupledRun {
-  Outcome outcome;
-  std::vector<std::vector<double>> states;
-  Statistics statistics;
-  ProbeHistory history;
-  std::optional<double> settled_at;
-};
-
-CoupledRun run(Rhs& rhs, const std::string& spec, const std::vector<double>& times,
-               FieldRange temperature = {0, 0}, double settle_tolerance = 0) {
-  CoupledRun out;
-  out.history = ProbeHistory(1);
-  Plan plan;
-  plan.output_times = times;
-  for (const auto& field : rhs.fields())
-    plan.ranges.push_back(field.name == "potential" ? FieldRange{0, 1} : temperature);
-  plan.probes = {rhs.size() - 1};
-  plan.history = &out.history;
-  plan.track_inflow = true;
-  plan.settle_tolerance = settle_tolerance;
-  const auto method = make_integrator(spec);
-  const std::vector<double> initial(rhs.size(), 0.0);
-  try {
-    method->prepare(rhs, plan);
-    method->start(0, initial);
-    for (const double t : times) {
-      out.outcome = method->advance(t);
-      if (!out.outcome.ok()) return out;
-      out.states.emplace_back(method->state().begin(), method->state().end());
-    }
-  } catch (const Refused& refused) {
-    out.outcome = {Status::refused, refused.what()};
-  }
-  out.statistics = method->statistics();
-  out.settled_at = method->settled_at();
-  return out;
-}
 
 double worst_difference(const CoupledRun& a, const CoupledRun& b) {
   double worst = 0;
@@ -85,9 +49,9 @@ const std::vector<double> times = {1.0, 4.0, 15.0};
 void expect_the_answer(const std::string& spec, const Thermoelectric& settings) {
   if (spec.find("step=") != std::string::npos) GTEST_SKIP() << "its fixed step is made for another network";
   const auto rhs = settings.build();
-  const auto reference = run(*rhs, "cvode:rtol=1e-11", times);
+  const auto reference = run_coupled(*rhs, "cvode:rtol=1e-11", times);
   ASSERT_TRUE(reference.outcome.ok()) << reference.outcome.reason;
-  const auto result = run(*rhs, spec, times);
+  const auto result = run_coupled(*rhs, spec, times);
   if (result.outcome.status == Status::refused) {
     EXPECT_GT(result.outcome.reason.size(), 20U);  // says why
     return;
@@ -142,7 +106,7 @@ TEST_P(EveryMethod, SteadyPotentialThatFollowsTheTemperature) {
 TEST_P(EveryMethod, StoresTheHeatThatTheCurrentMakes) {
   if (GetParam().find("step=15") != std::string::npos) GTEST_SKIP() << "steps too long for this transient";
   const auto rhs = Thermoelectric{.nodes = 40}.build();  // insulated
-  const auto result = run(*rhs, GetParam(), times);
+  const auto result = run_coupled(*rhs, GetParam(), times);
   if (result.outcome.status == Status::refused) GTEST_SKIP() << result.outcome.reason;
   ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
   const auto& field = rhs->fields()[1];
@@ -152,7 +116,7 @@ TEST_P(EveryMethod, StoresTheHeatThatTheCurrentMakes) {
       sum += rhs->capacities()[i] * of.states.back()[i];
     return sum;
   };
-  const auto truth = run(*rhs, "cvode:rtol=1e-11", times);
+  const auto truth = run_coupled(*rhs, "cvode:rtol=1e-11", times);
   ASSERT_GT(stored(truth), 1);
   EXPECT_NEAR(truth.statistics.inflow / stored(truth), 1.0, 1e-9);  // by its own quadrature
   // Nothing leaves: what is missing or too much is the error of the heat, a few tolerances, or a first-order
@@ -162,10 +126,10 @@ TEST_P(EveryMethod, StoresTheHeatThatTheCurrentMakes) {
 
 TEST(OneWayExponential, FollowsItsTolerance) {
   const auto rhs = Thermoelectric{.nodes = 60}.build();
-  const auto reference = run(*rhs, "cvode:rtol=1e-12", times);
+  const auto reference = run_coupled(*rhs, "cvode:rtol=1e-12", times);
   double before = 1;
   for (const char* spec : {"exponential:rtol=1e-3", "exponential:rtol=1e-5", "exponential:rtol=1e-7"}) {
-    const auto result = run(*rhs, spec, times);
+    const auto result = run_coupled(*rhs, spec, times);
     ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
     const double error = worst_difference(result, reference);
     EXPECT_LT(error, 10 * std::stod(std::string(spec).substr(17)))
@@ -178,8 +142,8 @@ TEST(OneWayExponential, FollowsItsTolerance) {
 TEST(OneWayExponential, KeepsFixedTemperaturesAndSources) {
   // Convection makes ghosts: the affine part of the temperature's half and its share of the heat balance.
   const auto rhs = Thermoelectric{.nodes = 30, .convection = true}.build();
-  const auto reference = run(*rhs, "cvode:rtol=1e-12", times);
-  const auto result = run(*rhs, "exponential:rtol=1e-9", times);
+  const auto reference = run_coupled(*rhs, "cvode:rtol=1e-12", times);
+  const auto result = run_coupled(*rhs, "exponential:rtol=1e-9", times);
   ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
   EXPECT_LT(worst_difference(result, reference), 1e-7);
   double stored = 0;
@@ -192,7 +156,7 @@ TEST(OneWayExponential, RefusesWhatIsNotOneWay) {
   const ConductivityLaw line{.kind = ConductivityLaw::Kind::linear, .value = 2, .coefficient = -0.1};
   for (const auto& settings : {Thermoelectric{.electric = {line, line}}, Thermoelectric{.radiation = true}}) {
     const auto rhs = settings.build();
-    const auto result = run(*rhs, "exponential", times);
+    const auto result = run_coupled(*rhs, "exponential", times);
     EXPECT_EQ(result.outcome.status, Status::refused);
     EXPECT_NE(result.outcome.reason.find("constant"), std::string::npos);
   }
@@ -200,8 +164,8 @@ TEST(OneWayExponential, RefusesWhatIsNotOneWay) {
 
 TEST(OneWayExponential, FollowsInputsThatChangeInTime) {
   const auto rhs = Thermoelectric{.nodes = 20, .convection = true, .tables = true}.build();
-  const auto expected = run(*rhs, "cvode:rtol=1e-11", {0.2, 0.5, 0.9, 3.0});
-  const auto found = run(*rhs, "exponential:rtol=1e-10", {0.2, 0.5, 0.9, 3.0});
+  const auto expected = run_coupled(*rhs, "cvode:rtol=1e-11", {0.2, 0.5, 0.9, 3.0});
+  const auto found = run_coupled(*rhs, "exponential:rtol=1e-10", {0.2, 0.5, 0.9, 3.0});
   ASSERT_TRUE(expected.outcome.ok() && found.outcome.ok()) << found.outcome.reason;
   EXPECT_LT(worst_difference(expected, found),
             1e-8);  // both are good to their tolerances, of spans of order 1
@@ -213,7 +177,7 @@ TEST(SettledPotential, IsNoLongerSteppedAndCostsNoAccuracy) {
        {"forward-euler", "sts:n=5,nu=0.05", "rkc:rtol=1e-5", "rock:rtol=1e-5", "cvode:rtol=1e-5",
         "esdirk:rtol=1e-5", "trapezoidal:rtol=1e-5", "exponential:rtol=1e-5"}) {
     const auto stepped = Thermoelectric{.nodes = 40}.build(), settling = Thermoelectric{.nodes = 40}.build();
-    const auto a = run(*stepped, spec, late), b = run(*settling, spec, late, {0, 0}, 1e-9);
+    const auto a = run_coupled(*stepped, spec, late), b = run_coupled(*settling, spec, late, {0, 0}, 1e-9);
     ASSERT_TRUE(a.outcome.ok() && b.outcome.ok()) << spec << a.outcome.reason << b.outcome.reason;
     EXPECT_TRUE(b.settled_at.has_value()) << spec;
     EXPECT_FALSE(a.settled_at.has_value()) << spec;
@@ -284,9 +248,9 @@ TEST(Automatic, DeliversItsToleranceOnANonlinearScene) {
   const auto rhs =
       Thermoelectric{.nodes = 200, .thermal = {line, line}, .electric = {line, line}, .convection = true}
           .build();
-  const auto reference = run(*rhs, "cvode:rtol=1e-11", times);
+  const auto reference = run_coupled(*rhs, "cvode:rtol=1e-11", times);
   for (const char* tolerance : {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7"}) {
-    const auto result = run(*rhs, std::string("auto:rtol=") + tolerance, times);
+    const auto result = run_coupled(*rhs, std::string("auto:rtol=") + tolerance, times);
     ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
     for (const auto& field : rhs->fields()) {
       double low = 0, high = field.name == "potential" ? 1 : 0, sum = 0;
@@ -311,8 +275,8 @@ TEST(ForwardEuler, StepsFarBelowASigmoidAsIfThereWereNone) {
       .nodes = 40, .thermal = {{.value = 2e-3}, {.value = 1e-3}}, .electric = {rise, rise}};
   Thermoelectric without = far;
   without.electric = {constant, constant};
-  const auto expected = run(*without.build(), "forward-euler", {1.0}),
-             result = run(*far.build(), "forward-euler", {1.0});
+  const auto expected = run_coupled(*without.build(), "forward-euler", {1.0}),
+             result = run_coupled(*far.build(), "forward-euler", {1.0});
   ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
   // The two bounds of the spectrum are different ones, each within a factor 2 of the truth.
   EXPECT_LE(result.statistics.steps, 2 * expected.statistics.steps);
@@ -332,7 +296,7 @@ TEST(LinearConductivity, OfASteadyChainHasItsClosedForm) {
   for (std::int32_t node = 0; node < 3; node += 2)
     input.temperature.known.push_back({node, graph.fixed_value[static_cast<std::size_t>(node)], -1});
   NonlinearRhs rhs(std::move(input));
-  const auto result = run(rhs, "cvode:rtol=1e-10", {60.0}, {0, 1});
+  const auto result = run_coupled(rhs, "cvode:rtol=1e-10", {60.0}, {0, 1});
   ASSERT_TRUE(result.outcome.ok());
   EXPECT_NEAR(result.states[0][0], (-1 + std::sqrt(1 + b * (1 + b / 2))) / b, 1e-8);
 }

@@ -3,24 +3,13 @@ it with the series of one process.
 
 check_pieces.py ALONE TOGETHER PROCESSES: exit code 0 when both say the same, 77 when there is no VTK here.
 """
+import pathlib
 import sys
 import xml.etree.ElementTree as ElementTree
 
-try:
-    import vtk
-except ImportError:
-    print("python3-vtk9 is not installed")
-    sys.exit(77)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-
-def read(path):
-    reader = vtk.vtkXMLPPolyDataReader() if path.endswith(".pvtp") else vtk.vtkXMLPolyDataReader()
-    errors = []
-    reader.AddObserver("ErrorEvent", lambda *_: errors.append(path))
-    reader.SetFileName(path)
-    reader.Update()
-    assert not errors, f"VTK complains about {path}"
-    return reader.GetOutput()
+from vtk_files import read, series, vtk
 
 
 def arrays(data):
@@ -47,11 +36,6 @@ def lines(data):
     while data.GetLines().GetNextCell(ends):
         found.append((data.GetPoint(ends.GetId(0)), data.GetPoint(ends.GetId(1))))
     return found
-
-
-def series(folder, name):
-    sets = ElementTree.parse(f"{folder}/vtk/{name}.pvd").getroot().find("Collection").findall("DataSet")
-    return [(float(one.get("timestep")), one.get("file")) for one in sets]
 
 
 def pieces_of(folder, file, processes):

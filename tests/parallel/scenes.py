@@ -55,6 +55,15 @@ density = 7800.0
 neck = "hertz"
 """
 
+
+
+def heated_lattice(cells, t_end, early):
+    """Held at 400 and 300 K; nobody of several processes has all of it."""
+    return (LATTICE.format(t_end=t_end, early=early, cells=cells, diameter=1.02) +
+            THERMAL.format(conductivity=50.0, initial=300.0) +
+            'fixed = [ { where = "top", value = 400.0 }, { where = "bottom", value = 300.0 } ]\n')
+
+
 LINE = '{ law = "linear", value = 50.0, coefficient = -1e-3, reference = 300.0 }'
 SIGMOID = '{ law = "sigmoid", value = 1e4, amplitude = 1.5, steepness = 0.05, reference = 380.0 }'
 RAMP = "{ times = [0.0, 1.0, 1.0, 4.0], values = [300.0, 500.0, 420.0, 300.0] }"

@@ -28,10 +28,8 @@ class Place:
     def __init__(self, program, shim, folder):
         self.program, self.shim, self.folder, self.faults, self.compared = program, shim, folder, [], 0
         texts = scenes.scenes()
-        fixed = 'fixed = [ { where = "top", value = 400.0 }, { where = "bottom", value = 300.0 } ]\n'
         # Too many lines for one process to keep them.
-        texts["lattice_large"] = scenes.LATTICE.format(t_end=0.02, early=0.01, cells=[60, 50, 150], diameter=1.02) + \
-            scenes.THERMAL.format(conductivity=50.0, initial=300.0) + fixed
+        texts["lattice_large"] = scenes.heated_lattice([60, 50, 150], t_end=0.02, early=0.01)
         for name in ("lattice", "lattice_radiating", "lattice_large"):
             (folder / f"{name}.toml").write_text(texts[name])
 

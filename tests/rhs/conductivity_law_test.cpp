@@ -150,6 +150,26 @@ TEST(LawViolation, CountsOnlyNodesOfTheMaterial) {
   EXPECT_EQ(limited, 3U);
 }
 
+/// One look at all temperatures tells that nothing is wrong only where every law holds.
+TEST(LawViolation, AsksEachNodeForItsOwnLaw) {
+  const auto rhs = Thermoelectric{.nodes = 6, .thermal = {falling(), rising()}}.build();
+  const auto& temperature = rhs->fields().back();
+  const auto limited = [&](double value) {
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < temperature.count; ++row) {
+      std::vector<double> y(rhs->size(), 500.0);
+      y[temperature.offset + row] = value;
+      count += rhs->law_violation(y).has_value();
+    }
+    return count;
+  };
+  EXPECT_EQ(limited(50.1), 0U);
+  EXPECT_EQ(limited(49.9), 3U);  // those that rise from 50 K on
+  EXPECT_EQ(limited(799.9), 0U);
+  EXPECT_EQ(limited(800.1), 3U);  // those that fall to nothing at 800 K
+  EXPECT_EQ(limited(std::nan("")), 0U);
+}
+
 TEST(LawViolation, IsNothingWhereNoLawIsLimited) {
   for (const auto& settings : {scene(clamped(falling()), sigmoid()), scene({.value = 1}, clamped(sampled())),
                                scene({.value = 1}, {.value = 1})}) {

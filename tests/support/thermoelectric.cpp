@@ -82,4 +82,34 @@ std::unique_ptr<NonlinearRhs> Thermoelectric::build() const {
   return std::make_unique<NonlinearRhs>(std::move(input));
 }
 
+CoupledRun run_coupled(Rhs& rhs, const std::string& spec, const std::vector<double>& times,
+                       FieldRange temperature, double settle_tolerance) {
+  CoupledRun out;
+  out.history = ProbeHistory(1);
+  Plan plan;
+  plan.output_times = times;
+  for (const auto& field : rhs.fields())
+    plan.ranges.push_back(field.name == "potential" ? FieldRange{0, 1} : temperature);
+  plan.probes = {rhs.size() - 1};
+  plan.history = &out.history;
+  plan.track_inflow = true;
+  plan.settle_tolerance = settle_tolerance;
+  const auto method = make_integrator(spec);
+  const std::vector<double> initial(rhs.size(), 0.0);
+  try {
+    method->prepare(rhs, plan);
+    method->start(0, initial);
+    for (const double t : times) {
+      out.outcome = method->advance(t);
+      if (!out.outcome.ok()) return out;
+      out.states.emplace_back(method->state().begin(), method->state().end());
+    }
+  } catch (const Refused& refused) {
+    out.outcome = {Status::refused, refused.what()};
+  }
+  out.statistics = method->statistics();
+  out.settled_at = method->settled_at();
+  return out;
+}
+
 }  // namespace superstep::test

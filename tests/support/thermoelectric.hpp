@@ -2,8 +2,11 @@
 /// Small thermoelectric networks with every term that a scene can have.
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "integrators/registry.hpp"
 #include "network/graph.hpp"
 #include "rhs/nonlinear_rhs.hpp"
 
@@ -26,5 +29,17 @@ struct Thermoelectric {
   [[nodiscard]] Network electric_network() const;
   [[nodiscard]] std::unique_ptr<NonlinearRhs> build() const;
 };
+
+struct CoupledRun {
+  Outcome outcome;
+  std::vector<std::vector<double>> states;
+  Statistics statistics;
+  ProbeHistory history;
+  std::optional<double> settled_at;
+};
+
+/// From zero, with a probe at the last row; potentials within 0 and 1 V. A refusal is the outcome.
+[[nodiscard]] CoupledRun run_coupled(Rhs& rhs, const std::string& spec, const std::vector<double>& times,
+                                     FieldRange temperature = {0, 0}, double settle_tolerance = 0);
 
 }  // namespace superstep::test

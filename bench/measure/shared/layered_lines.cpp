@@ -7,9 +7,9 @@
 #include <exception>
 #include <iterator>
 #include <memory>
-#include <new>
 #include <vector>
 
+#include "bench/measure/shared/failure_of.hpp"
 #include "bench/measure/shared/worker.hpp"
 #include "case/layers/layered_scene.hpp"
 #include "parallel/file_part.hpp"
@@ -86,19 +86,6 @@ class FewLines {
   std::uint64_t bytes_ = 0;
   bool all_ = true;
 };
-
-/// Why something could not be done here; nothing where it was done.
-template <class Work>
-std::optional<std::string> failure_of(const Work& work) {
-  try {
-    work();
-    return std::nullopt;
-  } catch (const std::bad_alloc&) {
-    return "a process found no memory for it";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
 
 /// Collective. `head` on the root alone.
 WrittenLines write_together(const Scene& scene, std::span<const double> state, std::string_view head,
