@@ -35,7 +35,7 @@ class Appended {
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
         type_name<Value>(), html_text(name), components, offset);
   }
-  std::string arrays(const char* element, const std::vector<VtkArray>& list, std::size_t expected) {
+  std::string arrays(const char* element, const std::vector<VtkValues>& list, std::size_t expected) {
     std::string out = fmt::format("<{}>\n", element);
     for (const auto& one : list)
       out += std::visit(
@@ -89,7 +89,7 @@ std::string topology(Appended& appended, const VtkPolyData& data) {
 }
 
 /// What is said of arrays whose values are in other files.
-std::string named_arrays(const char* element, const std::vector<VtkArray>& list) {
+std::string named_arrays(const char* element, const std::vector<VtkValues>& list) {
   std::string out = fmt::format("<{}>\n", element);
   for (const auto& one : list)
     std::visit(

@@ -14,7 +14,7 @@
 namespace superstep {
 
 /// Named values, one per point or per cell: numbers or vectors.
-struct VtkArray {
+struct VtkValues {
   std::string name;
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint8_t>, std::vector<Vec3>>
       values;
@@ -24,11 +24,11 @@ struct VtkArray {
 struct VtkPolyData {
   std::span<const Vec3> points;  ///< [n] m
   std::vector<std::pair<std::int64_t, std::int64_t>>
-      lines;                         ///< [m] positions; empty = every point is a vertex
-  std::vector<VtkArray> point_data;  ///< [n] each
-  std::vector<VtkArray> cell_data;   ///< [m] each, only with lines
-  double time = 0;                   ///< s
-  bool vertices = true;              ///< points without lines are; else nothing is drawn of them
+      lines;                          ///< [m] positions; empty = every point is a vertex
+  std::vector<VtkValues> point_data;  ///< [n] each
+  std::vector<VtkValues> cell_data;   ///< [m] each, only with lines
+  double time = 0;                    ///< s
+  bool vertices = true;               ///< points without lines are; else nothing is drawn of them
 };
 
 /// Content of a .vtp file.

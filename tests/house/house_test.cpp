@@ -128,6 +128,29 @@ TEST(TheHouse, NoFolderHoldsMoreThan25SourceFiles) {
   for (const auto& [folder, number] : count) EXPECT_LE(number, 25) << folder;
 }
 
+// Two types of one name in one namespace: where a program holds both, the linker keeps one destructor for
+// either.
+TEST(TheHouse, NoNameStandsForTwoTypes) {
+  static const std::regex line(
+      R"(^(?:namespace ([\w:]+) \{|(\})  // namespace.*|(?:struct|class|enum class|enum) (?:\[\[\w+\]\] )?(\w+)[^;]*)$)");
+  std::map<std::string, std::string> first;
+  for (const auto& file : files({".hpp"})) {
+    std::ifstream stream(root / file);
+    std::vector<std::string> space;
+    std::smatch hit;
+    for (std::string text; std::getline(stream, text);) {
+      if (!std::regex_match(text, hit, line)) continue;
+      if (hit[1].matched) space.push_back(hit[1]);
+      if (hit[2].matched && !space.empty()) space.pop_back();
+      if (!hit[3].matched) continue;
+      const std::string name = (space.empty() ? "" : space.back()) + "::" + hit[3].str();
+      const auto [place, is_new] = first.emplace(name, file);
+      EXPECT_TRUE(is_new) << name << " of " << place->second << " and " << file;
+    }
+  }
+  EXPECT_GT(first.size(), 100u);
+}
+
 TEST(TheHouse, LinksAndPicturesOfEveryDocumentLeadSomewhere) {
   static const std::regex link("\\]\\(([^)#][^)]*)\\)");
   std::size_t checked = 0;
