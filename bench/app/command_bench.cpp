@@ -160,7 +160,7 @@ void require_options_of_press_table(const Arguments& values) {
   refuse_beside("--press-table", foreign);
 }
 
-Command from_line(const Arguments& values) {
+Command bench_from_line(const Arguments& values) {
   if (!values.corpus.empty()) return make_corpus(values);
   if (values.markdown) throw UsageError("bench: --markdown goes with --corpus; leave it out, or give both");
   if (values.cases.empty()) throw UsageError("bench: a case file is missing; see superstep bench --help");
@@ -257,7 +257,7 @@ CommandEntry bench_command() {
            {"--report", &Arguments::report, "write report.html beside the results as well", ""},
            {"--no-cache", &Arguments::no_cache, "neither read nor write cached references", ""}},
       .takes = {.least = 0, .most = 0},
-      .make = from_line};
+      .make = bench_from_line};
 }
 
 }  // namespace superstep

@@ -11,7 +11,7 @@ namespace superstep {
 
 namespace {
 
-Command from_line(const Arguments& values) {
+Command completion_from_line(const Arguments& values) {
   if (values.json) throw UsageError("completion: prints a script; leave --json out");
   if (values.cases.empty()) throw UsageError("completion: the shell is missing: bash, zsh or fish");
   return CompletionCommand{.common = common_options(values),
@@ -43,7 +43,7 @@ CommandEntry completion_command() {
           .positional = "SHELL",
           .positional_meaning = "bash, zsh or fish",
           .options = {},
-          .make = from_line};
+          .make = completion_from_line};
 }
 
 }  // namespace superstep

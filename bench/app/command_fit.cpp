@@ -21,7 +21,7 @@
 namespace superstep {
 namespace {
 
-Command from_line(const Arguments& values) {
+Command fit_from_line(const Arguments& values) {
   if (values.cases.empty())
     throw UsageError(
         "fit: give corpus.csv of superstep bench --corpus, or several; see superstep fit --help");
@@ -157,7 +157,7 @@ CommandEntry fit_command() {
       .positional_meaning = "corpus.csv of superstep bench --corpus, or several",
       .options = {{"--out", &Arguments::out, "write the constants as a header that the build takes", "FILE"}},
       .takes = {.least = 1, .most = 0},
-      .make = from_line};
+      .make = fit_from_line};
 }
 
 }  // namespace superstep

@@ -21,7 +21,7 @@ namespace superstep {
 
 namespace {
 
-Command from_line(const Arguments& values) {
+Command info_from_line(const Arguments& values) {
   return InfoCommand{common_options(values), single_case(values, "info", "a case, packing or network file"),
                      file_options_of(values), values.matrix};
 }
@@ -74,7 +74,7 @@ CommandEntry info_command() {
           .positional = "CASE",
           .positional_meaning = "case file (TOML), packing file or network file",
           .options = std::move(options),
-          .make = from_line};
+          .make = info_from_line};
 }
 
 }  // namespace superstep

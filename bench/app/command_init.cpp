@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Command from_line(const Arguments& values) {
+Command init_from_line(const Arguments& values) {
   if (values.json) throw UsageError("init: writes a case and prints nothing; leave --json out");
   InitCommand command{.common = common_options(values),
                       .packing_file = single_case(values, "init", "a packing file"),
@@ -67,7 +67,7 @@ CommandEntry init_command() {
           .positional = "FILE",
           .positional_meaning = "packing file, in any format that is read",
           .options = std::move(options),
-          .make = from_line};
+          .make = init_from_line};
 }
 
 }  // namespace superstep

@@ -134,7 +134,7 @@ std::string keys_json() {
   return json_text(out);
 }
 
-Command from_line(const Arguments& values) {
+Command list_from_line(const Arguments& values) {
   return ListCommand{common_options(values), values.keys};
 }
 
@@ -163,7 +163,7 @@ CommandEntry list_command() {
           .positional_meaning = "",
           .options = {{"--keys", &Arguments::keys,
                        "the keys of case files instead: a table in Markdown, or --json", ""}},
-          .make = from_line};
+          .make = list_from_line};
 }
 
 }  // namespace superstep

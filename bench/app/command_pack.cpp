@@ -101,7 +101,7 @@ Lattice lattice_of(const Arguments& values, double unit) {
   return lattice;
 }
 
-Command from_line(const Arguments& values) {
+Command pack_from_line(const Arguments& values) {
   PackCommand command{
       .common = common_options(values), .settings = {}, .lattice = std::nullopt, .file = values.file};
   if (command.file.empty()) throw UsageError("pack: -o FILE is missing; see superstep pack --help");
@@ -228,7 +228,7 @@ CommandEntry pack_command() {
             "of the lengths given here: m, cm, mm, um, nm (default m)", "UNIT"},
            {"-o,--output", &Arguments::file, "packing file to write (CSV in metres, which it states)",
             "FILE"}},
-      .make = from_line};
+      .make = pack_from_line};
 }
 
 }  // namespace superstep

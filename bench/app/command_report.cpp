@@ -28,7 +28,7 @@ std::string report_json(const std::string& file) {
   return json_text(json);
 }
 
-Command from_line(const Arguments& values) {
+Command report_from_line(const Arguments& values) {
   if (values.cases.empty())
     throw UsageError("report: a folder of results is missing; see superstep report --help");
   if (!values.against.empty() && !values.markdown)
@@ -67,7 +67,7 @@ CommandEntry report_command() {
                        "print a summary for continuous integration as well", ""},
                       {"--against", &Arguments::against,
                        "with --markdown: list only what changed since that benchmark", "DIR"}},
-          .make = from_line};
+          .make = report_from_line};
 }
 
 }  // namespace superstep

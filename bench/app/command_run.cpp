@@ -120,7 +120,7 @@ std::string kept_states(const Scene& scene, bool vtk) {
       scene.output_times.size(), scene.packed || scene.layers ? "--vtk writes all, and " : "");
 }
 
-Command from_line(const Arguments& values) {
+Command run_from_line(const Arguments& values) {
   RunCommand command{.common = common_options(values),
                      .case_file = single_case(values, "run"),
                      .integrators = values.integrators,
@@ -239,7 +239,7 @@ CommandEntry run_command() {
            {"--export-packing", &Arguments::export_packing,
             "moving particles: write where they end as a packing, with necks, state and bonds beside it",
             "FILE"}},
-      .make = from_line};
+      .make = run_from_line};
 }
 
 }  // namespace superstep

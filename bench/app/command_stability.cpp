@@ -17,7 +17,7 @@ namespace superstep {
 
 namespace {
 
-Command from_line(const Arguments& values) {
+Command stability_from_line(const Arguments& values) {
   return StabilityCommand{.common = common_options(values),
                           .case_file = single_case(values, "stability"),
                           .out = values.out,
@@ -64,7 +64,7 @@ CommandEntry stability_command() {
             "folder for stability_*.csv: methods, critical_step, rounding, sweeps, states (default: none)",
             "DIR"},
            {"--quick", &Arguments::quick, "fewer parameter sets, done in seconds", ""}},
-      .make = from_line};
+      .make = stability_from_line};
 }
 
 }  // namespace superstep

@@ -13,6 +13,7 @@
 #include "case/checks/effective.hpp"
 #include "core/atomic_file.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/append.hpp"
 #include "core/text/options.hpp"
 #include "packing/formats/stated.hpp"
 #include "results/results_json.hpp"
@@ -21,9 +22,7 @@
 namespace superstep {
 namespace {
 
-using Buffer = fmt::memory_buffer;
-
-void append_particle(Buffer& out, const Packing& packing, std::size_t i) {
+void append_particle(std::string& out, const Packing& packing, std::size_t i) {
   const Vec3& centre = packing.centre[i];
   append(out, ",{},{},{},{}", centre.x, centre.y, centre.z, packing.radius[i]);
 }
@@ -42,7 +41,7 @@ double value_at(const ProbeColumn& column, const ProbeHistory& history, double t
   return history.at(t, static_cast<std::size_t>(column.slot)) + column.origin;
 }
 
-void append_probes(Buffer& out, const ProbeSet& probes, const ProbeHistory& history, double t) {
+void append_probes(std::string& out, const ProbeSet& probes, const ProbeHistory& history, double t) {
   append(out, "{}", t);
   for (const auto& column : probes.columns()) append(out, ",{}", value_at(column, history, t));
   append(out, "\n");
@@ -79,7 +78,7 @@ std::optional<SteadyCurrent> steady_current(const Scene& scene, const RunResult&
 
 void write_final_csv(const Scene& scene, double t, std::span<const double> state, const PieceWriter& write) {
   constexpr std::size_t piece = std::size_t{1} << 20;  // bytes
-  Buffer out;
+  std::string out;
   if (scene.layers) {
     write(layered_head);
     return for_layered_lines(scene, state, write);
@@ -101,10 +100,10 @@ void write_final_csv(const Scene& scene, double t, std::span<const double> state
     for (const auto& value : values) append(out, ",{}", value[i]);
     append(out, "\n");
     if (out.size() < piece) continue;
-    write({out.data(), out.size()});
+    write(out);
     out.clear();
   }
-  write({out.data(), out.size()});
+  write(out);
 }
 
 std::string final_csv(const Scene& scene, double t, std::span<const double> state) {
@@ -114,7 +113,7 @@ std::string final_csv(const Scene& scene, double t, std::span<const double> stat
 }
 
 std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, double t_end) {
-  Buffer out;
+  std::string out;
   append(out, "time");
   for (const auto& column : probes.columns()) append(out, ",{}", csv_cell(column.name));
   append(out, "\n");
@@ -127,7 +126,7 @@ std::string probes_csv(const ProbeSet& probes, const ProbeHistory& history, doub
   // all.
   if (history.size() == 0) append_probes(out, probes, history, 0.0);
   if (last < t_end) append_probes(out, probes, history, t_end);
-  return fmt::to_string(out);
+  return out;
 }
 
 RunRecord record_run(const Scene& scene, const MethodSpec& spec, const RunResult& run,

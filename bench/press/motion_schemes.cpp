@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/append.hpp"
 #include "integrators/press/motion.hpp"
 #include "results/text/csv_text.hpp"
 
@@ -141,18 +141,15 @@ std::string motion_table(const MotionComparison& comparison) {
 }
 
 std::string motion_csv(const Press& one, const MotionComparison& comparison) {
-  fmt::memory_buffer out;
-  const auto to = std::back_inserter(out);
-  fmt::format_to(
-      to,
+  std::string out =
       "case,scheme,settings,status,reason,begin,end,steps,rejected,force_evaluations,cpu_stepping_s,"
-      "error_position_rms,error_temperature_rms,reference_error_position\n");
+      "error_position_rms,error_temperature_rms,reference_error_position\n";
   for (const auto& row : comparison.rows)
-    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(one.name), row.scheme,
-                   csv_cell(row.settings), row.status, csv_cell(row.reason), comparison.begin, comparison.end,
-                   row.steps, row.rejected, row.force_evaluations, row.cpu, row.error_position,
-                   row.error_temperature, comparison.reference_error);
-  return fmt::to_string(out);
+    append(out, "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(one.name), row.scheme,
+           csv_cell(row.settings), row.status, csv_cell(row.reason), comparison.begin, comparison.end,
+           row.steps, row.rejected, row.force_evaluations, row.cpu, row.error_position, row.error_temperature,
+           comparison.reference_error);
+  return out;
 }
 
 }  // namespace superstep

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 
 #include "core/round_marks.hpp"
+#include "core/text/append.hpp"
 
 namespace superstep {
 namespace {
@@ -39,7 +39,7 @@ std::string escaped(const std::string& text) {
 /// One panel of the picture: a frame, marks and curves.
 class Panel {
  public:
-  Panel(fmt::memory_buffer& out, double offset, Rows rows, double t_end, std::span<const Curve> curves)
+  Panel(std::string& out, double offset, Rows rows, double t_end, std::span<const Curve> curves)
       : out_(out), offset_(offset), t_end_(t_end) {
     low_ = high_ = curves.front().value(rows.front());
     for (const auto& curve : curves)
@@ -87,27 +87,27 @@ class Panel {
 
  private:
   template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  void put(fmt::format_string<Args...> format, const Args&... arguments) {
+    append(out_, format, arguments...);
   }
   [[nodiscard]] double x(double time) const { return left + (width - left - right) * time / t_end_; }
   [[nodiscard]] double y(double value) const {
     return offset_ + panel_height * (high_ - value) / (high_ - low_);
   }
 
-  fmt::memory_buffer& out_;
+  std::string& out_;
   double offset_, t_end_, low_ = 0, high_ = 1;
 };
 
 }  // namespace
 
 std::string history_svg(const Press& one, Rows history) {
-  fmt::memory_buffer out;
+  std::string out;
   const double height = top + 2 * panel_height + gap + 50;
-  fmt::format_to(std::back_inserter(out),
-                 R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" )"
-                 R"(font-family="sans-serif" font-size="12"><rect width="100%" height="100%" fill="white"/>)",
-                 width, height);
+  append(out,
+         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" )"
+         R"(font-family="sans-serif" font-size="12"><rect width="100%" height="100%" fill="white"/>)",
+         width, height);
   const std::vector<Curve> density = {{"volume fraction below the lowest position of the upper wall",
                                        "#1b6ca8", [](const HistoryRow& row) { return row.volume_fraction; }}};
   const std::vector<Curve> heat = {
@@ -124,10 +124,10 @@ std::string history_svg(const Press& one, Rows history) {
     offset += panel_height + gap;
     named = false;
   }
-  fmt::format_to(std::back_inserter(out), R"(<text x="{}" y="{}" text-anchor="middle">time [s]</text></svg>)",
-                 (left + width - right) / 2, height - 12);
+  append(out, R"(<text x="{}" y="{}" text-anchor="middle">time [s]</text></svg>)", (left + width - right) / 2,
+         height - 12);
   out.push_back('\n');
-  return fmt::to_string(out);
+  return out;
 }
 
 }  // namespace superstep

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/text/append.hpp"
 #include "core/text/text_file.hpp"
 #include "dynamics/contacts/bond_registry.hpp"
 
@@ -17,7 +17,7 @@ class Description {
  public:
   template <class Value>
   void add(std::string_view name, const Value& value) {
-    fmt::format_to(std::back_inserter(text_), "{}{} = {}\n", section_, name, value);
+    append(text_, "{}{} = {}\n", section_, name, value);
   }
   void add(std::string_view name, const Vec3& v) { add(name, fmt::format("[{}, {}, {}]", v.x, v.y, v.z)); }
   void add(std::string_view name, const std::optional<double>& value) {

@@ -107,7 +107,7 @@ Packing generate_grid(TomlTable& table, double unit) {
   return grid_packing(settings);
 }
 
-Packing generate(TomlTable& table, const TomlValue& generator, double unit) {
+Packing read_generator(TomlTable& table, const TomlValue& generator, double unit) {
   PackSettings settings;
   const std::string shape = generator.string();
   if (shape == "grid") return generate_grid(table, unit);
@@ -188,7 +188,7 @@ PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
   input.scene.packing =
       spheres ? packing_of(*spheres, root.file(), options)
       : file  ? read_named_file(*file, [&](const auto& path) { return read_packing(path, options); })
-              : generate(*packing, *generator, input.unit);
+              : read_generator(*packing, *generator, input.unit);
   if (file) input.unit = input.scene.packing.length_unit;
   input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))

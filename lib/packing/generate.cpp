@@ -24,8 +24,7 @@ namespace {
 /// the last digit, of mathematical libraries or of lengths that came in other units, do not grow into other
 /// packings.
 double rounded(double value) {
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "{:.11e}", value);
+  const std::string text = fmt::format("{:.11e}", value);
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
 }

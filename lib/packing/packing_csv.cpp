@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <iterator>
-
+#include "core/text/append.hpp"
 #include "packing/formats/stated.hpp"
 #include "packing/read.hpp"
 
@@ -16,18 +15,17 @@ std::string packing_csv_head(const Packing& packing) {
 }
 
 std::string packing_csv_rows(const Packing& packing) {
-  fmt::memory_buffer text;
-  auto out = std::back_inserter(text);
+  std::string text;
   for (std::size_t k = 0; k < packing.size(); ++k) {
     const auto [x, y, z] = packing.centre[k];
     // "{}" writes the shortest text that reads back as the same double.
-    fmt::format_to(out, "{},{},{},{},{}", packing.id[k], x, y, z, packing.radius[k]);
+    append(text, "{},{},{},{},{}", packing.id[k], x, y, z, packing.radius[k]);
     if (!packing.material_names.empty())
-      fmt::format_to(out, ",{}", packing.material_names[static_cast<std::size_t>(packing.material[k])]);
-    for (const auto& attribute : packing.attributes) fmt::format_to(out, ",{}", attribute.value[k]);
+      append(text, ",{}", packing.material_names[static_cast<std::size_t>(packing.material[k])]);
+    for (const auto& attribute : packing.attributes) append(text, ",{}", attribute.value[k]);
     text.push_back('\n');
   }
-  return fmt::to_string(text);
+  return text;
 }
 
 std::string packing_csv(const Packing& packing) {

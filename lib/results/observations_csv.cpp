@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/text/append.hpp"
 #include "core/text/text_file.hpp"
 #include "results/text/csv_table.hpp"
 #include "results/text/csv_text.hpp"
@@ -11,9 +12,7 @@
 namespace superstep {
 namespace {
 
-using Buffer = fmt::memory_buffer;
-
-void append_curve(Buffer& out, const std::string& case_name, const ProbeCurve& curve) {
+void append_curve(std::string& out, const std::string& case_name, const ProbeCurve& curve) {
   const std::string head = fmt::format("{},{},{},{},{}", csv_cell(case_name), csv_cell(curve.spec),
                                        csv_cell(curve.field), csv_cell(curve.unit), csv_cell(curve.probe));
   for (std::size_t k = 0; k < curve.time.size(); ++k) {
@@ -23,7 +22,8 @@ void append_curve(Buffer& out, const std::string& case_name, const ProbeCurve& c
   }
 }
 
-void append_frame(Buffer& out, const std::string& case_name, const Slice& slice, const Slice::Frame& frame) {
+void append_frame(std::string& out, const std::string& case_name, const Slice& slice,
+                  const Slice::Frame& frame) {
   const std::string head = fmt::format("{},{},{},{},{},{}", csv_cell(case_name), csv_cell(slice.source),
                                        slice.cut, csv_cell(frame.field), csv_cell(frame.unit), frame.time);
   for (std::size_t k = 0; k < slice.spheres.size(); ++k) {
@@ -93,20 +93,18 @@ void read_snapshots(const std::string& path, std::map<std::string, CaseObservati
 }  // namespace
 
 std::string histories_csv(std::span<const BenchCase> cases) {
-  Buffer out;
-  append(out, "case,spec,field,unit,probe,time,value,reference,in_transient\n");
+  std::string out = "case,spec,field,unit,probe,time,value,reference,in_transient\n";
   for (const auto& one : cases)
     for (const auto& curve : one.observations.curves) append_curve(out, one.name, curve);
-  return fmt::to_string(out);
+  return out;
 }
 
 std::string snapshots_csv(std::span<const BenchCase> cases) {
-  Buffer out;
-  append(out, "case,source,cut,field,unit,time,id,across,height,depth,radius,value\n");
+  std::string out = "case,source,cut,field,unit,time,id,across,height,depth,radius,value\n";
   for (const auto& one : cases)
     if (const auto& slice = one.observations.slice)
       for (const auto& frame : slice->frames) append_frame(out, one.name, *slice, frame);
-  return fmt::to_string(out);
+  return out;
 }
 
 std::map<std::string, CaseObservations> read_observations(const std::string& folder) {

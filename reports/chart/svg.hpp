@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string>
 #include <string_view>
 
+#include "core/text/append.hpp"
 #include "reports/chart/palette.hpp"
 
 namespace superstep {
@@ -32,8 +32,8 @@ class Svg {
 
  private:
   template <class... Args>
-  void add(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  void add(fmt::format_string<Args...> format, const Args&... arguments) {
+    append(out_, format, arguments...);
   }
   std::string out_;
 };

@@ -275,5 +275,25 @@ TEST_F(Inputs, AStarterCaseRunsAndConductsAsThePackingDoes) {
   EXPECT_EQ(touching.packed->contacts.size(), 3u) << "a gap is given where particles only touch";
 }
 
+TEST_F(Inputs, AStarterCaseStartsFromTheTemperaturesOfTheFile) {
+  const auto initial = [&](const std::string& names) {
+    const auto path = folder_.write(
+        "towers.csv",
+        "x,y,z,radius," + names + "\n0,0,0,1,300,1\n0,0,1.9,1,310,1\n0,0,3.8,1,320,1\n0,0,5.7,1,330,1\n");
+    PackingOptions options;
+    options.length_unit = 1;
+    const auto packing = read_packing(path, options);
+    const auto text = starter_case(packing, {.file = "towers.csv"});
+    if (text.find("initial = 293.15") != std::string::npos) return std::vector<double>{};
+    const auto scene = load(text);
+    const auto value = scene.values_on_nodes(0, 0, scene.initial);
+    return std::vector<double>(value.begin() + 1, value.end() - 1);  // those between the held ends
+  };
+  for (const char* name : {"f_Temp[0]", "temperature", "T [K]", "Temp"})
+    EXPECT_EQ(initial(std::string(name) + ",vx"), (std::vector<double>{310, 320})) << name;
+  for (const char* names : {"T [degC],vx", "type,vx", "f_Temp[0],temp", "f_Temperature_rate,vx"})
+    EXPECT_TRUE(initial(names).empty()) << names;
+}
+
 }  // namespace
 }  // namespace superstep

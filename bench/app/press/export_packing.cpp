@@ -5,12 +5,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <numbers>
 
 #include "bench/host/terminal.hpp"
 #include "bench/output/output_folder.hpp"
 #include "core/atomic_file.hpp"
+#include "core/text/append.hpp"
 #include "packing/read.hpp"
 
 namespace superstep {
@@ -64,16 +64,15 @@ std::vector<std::string> export_packing(const std::string& file, const Press& on
   std::string necks = "# length_unit = \"m\"\ni,j,radius\n", bonds = "i,j,overlap,growth\n";
   for (const auto& contact : network.contacts().points())
     if (contact.area > 0)
-      fmt::format_to(std::back_inserter(necks), "{},{},{}\n", id_of(contact.i), id_of(contact.j),
-                     std::sqrt(contact.area / std::numbers::pi));
+      append(necks, "{},{},{}\n", id_of(contact.i), id_of(contact.j),
+             std::sqrt(contact.area / std::numbers::pi));
   write(stem + ".necks.csv", necks);
   if (!one.model.bond.acts()) {
     forget_bonds(stem + ".bonds.csv", bonds, quiet);
     return written;
   }
   for (const auto& bond : state.bonds)
-    fmt::format_to(std::back_inserter(bonds), "{},{},{},{}\n", id_of(bond.i), id_of(bond.j), bond.overlap,
-                   bond.growth);
+    append(bonds, "{},{},{},{}\n", id_of(bond.i), id_of(bond.j), bond.overlap, bond.growth);
   write(stem + ".bonds.csv", bonds);
   return written;
 }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 #include "bench/host/machine.hpp"
 #include "core/stopwatch.hpp"
+#include "core/text/append.hpp"
 #include "core/text/options.hpp"
 #include "core/text/quantity.hpp"
 #include "results/results_json.hpp"
@@ -114,42 +114,38 @@ RunRecord record_of(const Press& one, const Motion& motion, const SinteringResul
 }  // namespace
 
 std::string history_csv(const Press& one, std::span<const HistoryRow> history) {
-  fmt::memory_buffer out;
-  const auto to = std::back_inserter(out);
-  fmt::format_to(
-      to,
+  std::string out =
       "time,phase,volume_fraction,mean_temperature,max_temperature,wall_force,kinetic_energy,bonds,"
       "contacts,step,iterations,rejections,wall_work,potential_energy,elastic_energy,dissipated,joule_heat,"
-      "heat_lost,heat_content,landed\n");
+      "heat_lost,heat_content,landed\n";
   for (const auto& row : history)
-    fmt::format_to(to, "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time,
-                   csv_cell(phase_name(one, row)), row.volume_fraction, row.mean_temperature,
-                   row.max_temperature, row.wall_force, row.kinetic_energy, row.bonds, row.contacts, row.step,
-                   row.iterations, row.rejections, row.wall_work, row.potential_energy, row.elastic_energy,
-                   row.dissipated, row.joule_heat, row.heat_lost, row.heat_content, row.landed);
-  return fmt::to_string(out);
+    append(out, "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time,
+           csv_cell(phase_name(one, row)), row.volume_fraction, row.mean_temperature, row.max_temperature,
+           row.wall_force, row.kinetic_energy, row.bonds, row.contacts, row.step, row.iterations,
+           row.rejections, row.wall_work, row.potential_energy, row.elastic_energy, row.dissipated,
+           row.joule_heat, row.heat_lost, row.heat_content, row.landed);
+  return out;
 }
 
 std::string particles_csv(const Press& one, const dynamics::State& state) {
   const auto model = one.model.electric.model;
   const bool electric = model != dynamics::CurrentModel::none;
-  fmt::memory_buffer out;
-  const auto to = std::back_inserter(out);
-  fmt::format_to(to, "id,x,y,z,r{},temperature,vx,vy,vz\n",
-                 !electric                                    ? ""
-                 : model == dynamics::CurrentModel::averaging ? ",current"
-                                                              : ",potential");
+  std::string out;
+  append(out, "id,x,y,z,r{},temperature,vx,vy,vz\n",
+         !electric                                    ? ""
+         : model == dynamics::CurrentModel::averaging ? ",current"
+                                                      : ",potential");
   std::vector<std::size_t> order(state.size());
   std::iota(order.begin(), order.end(), 0);
   const auto& id = one.particles.id;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
   for (const std::size_t i : order) {
     const Vec3 &at = state.position[i], &v = state.velocity[i];
-    fmt::format_to(to, "{},{},{},{},{}", id[i], at.x, at.y, at.z, one.particles.radius[i]);
-    if (electric) fmt::format_to(to, ",{}", state.electric[i]);
-    fmt::format_to(to, ",{},{},{},{}\n", state.temperature[i], v.x, v.y, v.z);
+    append(out, "{},{},{},{},{}", id[i], at.x, at.y, at.z, one.particles.radius[i]);
+    if (electric) append(out, ",{}", state.electric[i]);
+    append(out, ",{},{},{},{}\n", state.temperature[i], v.x, v.y, v.z);
   }
-  return fmt::to_string(out);
+  return out;
 }
 
 std::string sintering_json(const Press& one, const Motion& motion, const SinteringResult& result,

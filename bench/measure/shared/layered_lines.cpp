@@ -5,13 +5,13 @@
 #include <bit>
 #include <cstdint>
 #include <exception>
-#include <iterator>
 #include <memory>
 #include <vector>
 
 #include "bench/measure/shared/failure_of.hpp"
 #include "bench/measure/shared/worker.hpp"
 #include "case/layers/layered_scene.hpp"
+#include "core/text/append.hpp"
 #include "parallel/file_part.hpp"
 
 namespace superstep {
@@ -39,7 +39,7 @@ template <class Each>
 void for_own_lines(const Scene& scene, std::span<const double> state, const Each& each) {
   LayeredNodes& nodes = *scene.layers;
   const double origin = scene.fields.front().origin;
-  fmt::memory_buffer text;
+  std::string text;
   Repeated second, third, radius;
   std::size_t row = 0;
   nodes.for_stretches([&](std::int64_t first, std::int64_t last) {
@@ -50,14 +50,14 @@ void for_own_lines(const Scene& scene, std::span<const double> state, const Each
       if (packing.id[k] < nodes.begin || packing.id[k] >= nodes.end) continue;
       const double value = graph.is_fixed[k] ? graph.fixed_value[k] : state[row++] + origin;
       const auto [x, y, z] = packing.centre[k];
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", packing.id[k], x, second.text(y),
-                     third.text(z), radius.text(packing.radius[k]), value);
+      append(text, "{},{},{},{},{},{}\n", packing.id[k], x, second.text(y), third.text(z),
+             radius.text(packing.radius[k]), value);
       if (text.size() < piece) continue;
-      each(std::string_view(text.data(), text.size()));
+      each(text);
       text.clear();
     }
   });
-  if (text.size() > 0) each(std::string_view(text.data(), text.size()));
+  if (text.size() > 0) each(text);
 }
 
 std::span<const std::byte> bytes_of(std::string_view text) {

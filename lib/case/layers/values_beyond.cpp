@@ -8,18 +8,18 @@
 namespace superstep {
 namespace {
 
-struct Range {
+struct NodeRange {
   std::int64_t begin = 0, end = 0;
   [[nodiscard]] bool empty() const noexcept { return begin >= end; }
   [[nodiscard]] std::size_t size() const noexcept { return empty() ? 0 : at(end - begin); }
 };
 
-Range overlap(const Range& a, const Range& b) {
+NodeRange overlap(const NodeRange& a, const NodeRange& b) {
   return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
 }
 
 /// Nodes of each process, everywhere.
-std::vector<Range> ranges_of_all(const LayeredNodes& nodes, Communicator& among) {
+std::vector<NodeRange> ranges_of_all(const LayeredNodes& nodes, Communicator& among) {
   const double own[] = {static_cast<double>(nodes.begin), static_cast<double>(nodes.end)};
   const auto all = among.gather(own);
   const auto view = std::as_bytes(std::span(all));
@@ -27,7 +27,7 @@ std::vector<Range> ranges_of_all(const LayeredNodes& nodes, Communicator& among)
   among.broadcast(bytes);
   std::vector<double> ends(bytes.size() / sizeof(double));
   std::memcpy(ends.data(), bytes.data(), bytes.size());
-  std::vector<Range> ranges;
+  std::vector<NodeRange> ranges;
   for (std::size_t k = 0; k + 1 < ends.size(); k += 2)
     ranges.push_back({static_cast<std::int64_t>(ends[k]), static_cast<std::int64_t>(ends[k + 1])});
   return ranges;
@@ -45,18 +45,18 @@ std::vector<double> values_beyond(const LayeredNodes& nodes, std::span<const dou
   const auto ranges = ranges_of_all(nodes, among);
   const std::int64_t last = nodes.lattice().size(), reach = reach_of_contacts(nodes.lattice());
   const auto wanted_by = [&](int rank) {
-    const Range& has = ranges[at(rank)];
-    return has.empty() ? Range{} : Range{has.end, std::min(has.end + reach, last)};
+    const NodeRange& has = ranges[at(rank)];
+    return has.empty() ? NodeRange{} : NodeRange{has.end, std::min(has.end + reach, last)};
   };
   // Everybody sends to lower ranks first, and the lowest one to nobody: nobody waits for ever.
-  const Range here{nodes.begin, nodes.end};
+  const NodeRange here{nodes.begin, nodes.end};
   for (int to = among.rank() - 1; to >= 0; --to)
-    if (const Range part = overlap(here, wanted_by(to)); !part.empty())
+    if (const NodeRange part = overlap(here, wanted_by(to)); !part.empty())
       among.send(to, std::as_bytes(own.subspan(at(part.begin - here.begin), part.size())));
-  const Range wanted = wanted_by(among.rank());
+  const NodeRange wanted = wanted_by(among.rank());
   std::vector<double> values(wanted.size());
   for (int from = among.rank() + 1; from < among.size(); ++from) {
-    const Range part = overlap(wanted, ranges[at(from)]);
+    const NodeRange part = overlap(wanted, ranges[at(from)]);
     if (part.empty()) continue;
     const auto bytes = among.receive(from);
     std::memcpy(values.data() + (part.begin - wanted.begin), bytes.data(), bytes.size());

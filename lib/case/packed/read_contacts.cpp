@@ -121,7 +121,7 @@ Image nearest_image(const Packing& packing, std::size_t i, std::size_t j) {
   return best;
 }
 
-void append(const Packing& packing, const Neck& neck, Contacts& contacts) {
+void add_neck(const Packing& packing, const Neck& neck, Contacts& contacts) {
   const auto a = static_cast<std::size_t>(neck.i), b = static_cast<std::size_t>(neck.j);
   contacts.i.push_back(neck.i);
   contacts.j.push_back(neck.j);
@@ -143,7 +143,7 @@ void add_bonds(const std::vector<Neck>& bonds, const Packing& packing, Contacts&
       known[found->first] = true;
     }
   for (const auto& bond : bonds)
-    if (!known.contains({bond.i, bond.j})) append(packing, bond, contacts);
+    if (!known.contains({bond.i, bond.j})) add_neck(packing, bond, contacts);
 }
 
 void sort_contacts(Contacts& contacts) {
@@ -197,7 +197,7 @@ void read_contacts(TomlTable& table, const std::string& place, PackingScene& sce
       if (other)
         other->reject("with neck = \"given\" the file lists every contact, across any gap; leave this out");
     const auto file = table.require("file", "with neck = \"given\" it names a CSV with i,j,radius");
-    for (const auto& one : necks_of(file, scene)) append(scene.packing, one, scene.contacts);
+    for (const auto& one : necks_of(file, scene)) add_neck(scene.packing, one, scene.contacts);
     return;
   }
   const NeckLaw& law = read_law(neck);

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <numeric>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "contact/neck.hpp"
 #include "contact/search.hpp"
 #include "core/error.hpp"
+#include "core/text/append.hpp"
+#include "core/text/bracketed_unit.hpp"
 
 namespace superstep {
 namespace {
@@ -23,6 +26,23 @@ std::string toml_string(const std::string& text) {
     out += c;
   }
   return out + "\"";
+}
+
+/// The attribute that holds temperatures, by the names that codes give it: "temperature", "T", LIGGGHTS'
+/// "f_Temp[0]". Nothing where there is none, or several.
+std::optional<std::string> temperature_column(const Packing& packing) {
+  std::optional<std::string> found;
+  for (const auto& attribute : packing.attributes) {
+    std::string name = bare_name(attribute.name);
+    for (const std::string_view prefix : {"f_", "c_", "v_"})
+      if (name.starts_with(prefix)) name.erase(0, prefix.size());
+    if (name != "temperature" && name != "temp" && name != "t") continue;
+    const auto unit = split_bracketed_unit(attribute.name).unit;
+    const bool is_index = unit.find_first_not_of("0123456789") == std::string_view::npos;
+    if (found || !(is_index || unit == "K")) return std::nullopt;
+    found = attribute.name;
+  }
+  return found;
 }
 
 /// A number as TOML takes it for a float.
@@ -42,19 +62,17 @@ class Starter {
     materials();
     contact();
     thermal();
-    return fmt::to_string(out_);
+    return out_;
   }
 
  private:
   /// One line with its remark in a column of its own.
   void line(const std::string& code, const std::string& remark = {}) {
     constexpr std::size_t column = 34;
-    fmt::format_to(
-        std::back_inserter(out_), "{}{}\n", code,
-        remark.empty()
-            ? ""
-            : fmt::format("{}  # {}", std::string(code.size() < column ? column - code.size() : 0, ' '),
-                          remark));
+    out_ += code;
+    if (!remark.empty())
+      append(out_, "{}  # {}", std::string(code.size() < column ? column - code.size() : 0, ' '), remark);
+    out_ += '\n';
   }
   static std::string example(bool given, const char* unit) {
     return given ? unit : fmt::format("{}; an example: put in your own", unit);
@@ -129,7 +147,10 @@ class Starter {
          example(settings_.given_conductivity, "W/(m K)"));
     line(fmt::format("specific_heat = {}", number(settings_.specific_heat)),
          example(settings_.given_specific_heat, "J/(kg K)"));
-    line("initial = 293.15", "K; or { column = \"name\" } of the packing file");
+    if (const auto column = temperature_column(packing_))
+      line(fmt::format("initial = {{ column = {} }}", toml_string(*column)), "K; or one number for all");
+    else
+      line("initial = 293.15", "K; or { column = \"name\" } of the packing file");
     if (packing_.size() == 1) {
       line("convection = [ { where = \"all\", coefficient = 10.0, ambient = 393.15 } ]");
       return;
@@ -163,7 +184,7 @@ class Starter {
   const Packing& packing_;
   const StarterSettings& settings_;
   char axis_;
-  fmt::memory_buffer out_;
+  std::string out_;
 };
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/text/compressed.hpp"
-#include "core/text/encoding.hpp"
+#include "core/text/decoding/compressed.hpp"
+#include "core/text/decoding/encoding.hpp"
 
 namespace superstep {
 

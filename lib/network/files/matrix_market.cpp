@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/text/append.hpp"
 #include "core/text/cut_off.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/number.hpp"
@@ -130,20 +130,18 @@ MatrixMarket read_matrix_market(const std::string& path) {
 
 std::string matrix_market_text(std::size_t size, std::span<const MatrixMarket::Entry> lower,
                                const std::string& comment) {
-  fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out), "%%MatrixMarket matrix coordinate real symmetric\n% {}\n{} {} {}\n",
-                 comment, size, size, lower.size());
-  for (const auto& entry : lower)
-    fmt::format_to(std::back_inserter(out), "{} {} {}\n", entry.row + 1, entry.column + 1, entry.value);
-  return fmt::to_string(out);
+  std::string out;
+  append(out, "%%MatrixMarket matrix coordinate real symmetric\n% {}\n{} {} {}\n", comment, size, size,
+         lower.size());
+  for (const auto& entry : lower) append(out, "{} {} {}\n", entry.row + 1, entry.column + 1, entry.value);
+  return out;
 }
 
 std::string matrix_market_text(std::span<const double> vector, const std::string& comment) {
-  fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out), "%%MatrixMarket matrix array real general\n% {}\n{} 1\n", comment,
-                 vector.size());
-  for (const double value : vector) fmt::format_to(std::back_inserter(out), "{}\n", value);
-  return fmt::to_string(out);
+  std::string out;
+  append(out, "%%MatrixMarket matrix array real general\n% {}\n{} 1\n", comment, vector.size());
+  for (const double value : vector) append(out, "{}\n", value);
+  return out;
 }
 
 }  // namespace superstep

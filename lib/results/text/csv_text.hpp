@@ -1,20 +1,10 @@
 #pragma once
 /// Cells of CSV files that we write.
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace superstep {
-
-/// Formatted text at the end of a buffer: large files are put together without a string for each row.
-template <class... Args>
-void append(fmt::memory_buffer& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 /// Text as one CSV cell: quoted when it holds a comma, a quote or a line break (RFC 4180). Text that a
 /// spreadsheet would take for a formula (it begins with = + - @, a tab or a line break) gets an apostrophe in

@@ -1,4 +1,4 @@
-#include "core/text/compressed.hpp"
+#include "core/text/decoding/compressed.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -1,4 +1,4 @@
-#include "core/text/encoding.hpp"
+#include "core/text/decoding/encoding.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/text/compressed.hpp"
+#include "core/text/decoding/compressed.hpp"
 #include "core/text/number.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/vtk/base64.hpp"
