@@ -150,6 +150,8 @@ TEST(Packed, GzippedFilesOfEveryTextFormat) {
   std::string damaged = packed;
   damaged[packed.size() / 2] = static_cast<char>(damaged[packed.size() / 2] ^ 0x55);
   EXPECT_NE(refusal(damaged), "");
+  expect_column(read_as("padded.gz", packed + std::string(512, '\0')));
+  expect_says(refusal(packed + "5 1 0.05 0.05 0.09 0.0102\n"), {"goes on behind its last packed part"});
 }
 
 std::string data(const std::string& heading, const std::string& rows, const std::string& title = "title") {

@@ -73,7 +73,9 @@ std::string gunzip(std::string_view bytes, const std::string& path, std::uintmax
                                         status == Z_BUF_ERROR ? "is cut off" : "is damaged"));
     inflater.reset();
   }
-  return out;  // what follows the last member is padding
+  if (bytes.find_first_not_of('\0') != std::string_view::npos)  // noughts are padding
+    throw FileError(path, "the gzip file goes on behind its last packed part; copy or compress it again");
+  return out;
 }
 
 void append_inflated(std::string_view bytes, std::size_t size, const std::string& where, std::string& out) {
