@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text/cut_off.hpp"
+#include "core/text/decoding/encoding.hpp"
 #include "core/text/suggest.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/formats.hpp"
@@ -51,6 +52,11 @@ const PackingFormat& choose_format(const PackingFile& file) {
   for (const auto& format : formats())
     if (format.recognises(file)) return format;
   refuse(file);
+}
+
+std::string read_content(const std::string& path, const PackingOptions& options) {
+  std::string bytes = read_bytes(path);
+  return holds_doubles(path, bytes, options) ? bytes : to_utf8(std::move(bytes));
 }
 
 PackingFile open(const std::string& path, const std::string& content, const PackingOptions& options) {
@@ -145,7 +151,7 @@ void apply_box(const PackingOptions& options, const std::string& path, Packing& 
 }
 
 Packing read_packing(const std::string& path, const PackingOptions& options) {
-  const std::string content = read_file(path);
+  const std::string content = read_content(path, options);
   const PackingFile file = open(path, content, options);
   const PackingFormat& format = choose_format(file);
   if (!options.atom_style.empty() && format.name != lammps_data_format().name)
@@ -172,7 +178,7 @@ Packing read_packing(const std::string& path, double unit) {
 }
 
 std::string recognised_format(const std::string& path) {
-  const std::string content = read_file(path);
+  const std::string content = read_content(path, {});
   const PackingFile file = open(path, content, {});
   for (std::size_t k = 0; k + 1 < formats().size(); ++k)
     if (formats()[k].recognises(file)) return formats()[k].name;

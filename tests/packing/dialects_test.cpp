@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -258,6 +259,30 @@ TEST(Doubles, AreReadByTheirDeclaredNameOrThatOfTheFile) {
   EXPECT_EQ(read_as("packing.bin", bytes, radii).radius, (std::vector<double>{2, 1}));
   expect_says(refusal(bytes), {"binary", "xyzd"});
   expect_says(refusal(bytes.substr(0, 50), radii), {"50 bytes", "four doubles"});
+}
+
+/// The bytes of a few random numbers may hold no NUL, begin like a text in another encoding, or hold what
+/// ends the lines of old files.
+TEST(Doubles, AreTakenByteByByte) {
+  const std::array<std::string, 4> number = {
+      std::string("\xFF\xFE\x5D\x21\x18\x0D\x48\x3F"), std::string("\x01\x0D\x13\xF3\x72\x9B\xDB\x3F"),
+      std::string("\x3C\x30\x0F\x54\xC4\x7F\xE2\x3F"), std::string("\x0D\x2A\xBE\x7A\x41\x7C\x13\x40")};
+  PackingOptions radii;
+  radii.format = "xyzr";
+  const auto expect_same_bits = [&](const std::array<std::size_t, 3>& at, const Packing& packing) {
+    const auto value = [&](std::size_t k) {
+      double out = 0;
+      std::memcpy(&out, number[k].data(), sizeof out);
+      return out;
+    };
+    EXPECT_EQ(packing.centre[0].x, value(at[0]));
+    EXPECT_EQ(packing.centre[0].y, value(at[1]));
+    EXPECT_EQ(packing.centre[0].z, value(at[2]));
+    EXPECT_EQ(packing.radius[0], value(3));
+  };
+  expect_same_bits({0, 1, 2}, read_as("a.bin", number[0] + number[1] + number[2] + number[3], radii));
+  expect_same_bits({1, 0, 2}, read_as("a.xyzr", number[1] + number[0] + number[2] + number[3]));
+  EXPECT_EQ(read_as("text.xyzr", "0 0 0 1\n0 0 3 1\n").size(), 2u);
 }
 
 TEST(ReadPacking, BoxesAndPeriodicSidesOfTheUser) {

@@ -49,7 +49,7 @@ void require_regular_file(const std::string& path, std::uintmax_t most) {
                     fmt::format("has {} bytes, and at most {} are read; is it the right file?", size, most));
 }
 
-std::string read_file(const std::string& path, std::uintmax_t most) {
+std::string read_bytes(const std::string& path, std::uintmax_t most) {
   require_regular_file(path, most);
   std::error_code ignored;
   std::ifstream stream(path, std::ios::binary);
@@ -62,8 +62,11 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
   while (stream.read(buffer.data(), static_cast<std::streamsize>(block)) || stream.gcount() > 0)
     text.append(buffer, 0, static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) throw FileError(path, fmt::format("cannot be read: {}", std::strerror(errno)));
-  if (is_gzip(text)) text = gunzip(text, path, most);
-  return to_utf8(std::move(text));
+  return is_gzip(text) ? gunzip(text, path, most) : text;
+}
+
+std::string read_file(const std::string& path, std::uintmax_t most) {
+  return to_utf8(read_bytes(path, most));
 }
 
 std::string read_text_file(const std::string& path, std::uintmax_t most) {

@@ -18,9 +18,12 @@ void require_regular_file(const std::string& path, std::uintmax_t most = largest
 /// True where `path` names a regular file; a link to one counts.
 [[nodiscard]] bool is_regular_file(const std::string& path);
 
-/// Reads a whole file: unpacked where it is gzipped, as UTF-8 where it is UTF-16, without byte order mark.
-/// Throws InputError for a missing or unreadable file, and anything but a regular file of at most `most`
-/// bytes, packed or unpacked.
+/// Reads a whole file, unpacked where it is gzipped. Throws InputError for a missing or unreadable file, and
+/// anything but a regular file of at most `most` bytes, packed or unpacked.
+[[nodiscard]] std::string read_bytes(const std::string& path, std::uintmax_t most = largest_data_file);
+
+/// The same of what may be text: as UTF-8 where it is UTF-16, without byte order mark, old line ends as new
+/// ones.
 [[nodiscard]] std::string read_file(const std::string& path, std::uintmax_t most = largest_data_file);
 
 /// The same of text. Throws InputError for an empty file and for binary content (NUL bytes), too.

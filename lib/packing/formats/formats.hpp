@@ -51,6 +51,9 @@ struct PackingFormat {
 [[nodiscard]] PackingFormat vtk_legacy_format();
 /// Rows of four doubles: x y z and a diameter or radius. Known by its declared name, or by that of the file.
 [[nodiscard]] PackingFormat doubles_format();
+/// True where a file is such rows, whose bytes mean themselves: nothing of them is encoding or line end.
+[[nodiscard]] bool holds_doubles(const std::string& path, std::string_view bytes,
+                                 const PackingOptions& options);
 /// CSV and other tables, with a header or without: takes nearly everything, so that it is asked last.
 [[nodiscard]] PackingFormat table_format();
 

@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
 
 #include "core/error.hpp"
+#include "core/text/decoding/encoding.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/sphere_rows.hpp"
 
@@ -17,18 +19,28 @@ namespace {
 
 constexpr std::size_t row_size = 4 * sizeof(double);
 
+/// Text holds none of these, however it is encoded; a few random doubles do.
+bool holds_control_characters(std::string_view bytes) {
+  constexpr std::size_t looked_at = 4096;
+  const std::string text = to_utf8(std::string(bytes.substr(0, looked_at)));
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+  });
+}
+
 /// "xyzd" or "xyzr", as declared or, for a file that is no text, by its name; else empty.
-std::string kind_of(const PackingFile& file) {
+std::string kind_of(const std::string& path, std::string_view bytes, const PackingOptions& options) {
   for (const char* kind : {"xyzd", "xyzr"}) {
-    if (file.options.format == kind) return kind;
-    if (!file.is_text && file.options.format == "auto" && file.path.ends_with(std::string(".") + kind))
+    if (options.format == kind) return kind;
+    if (options.format == "auto" && path.ends_with(std::string(".") + kind) &&
+        holds_control_characters(bytes))
       return kind;
   }
   return {};
 }
 
 bool recognises(const PackingFile& file) {
-  return !kind_of(file).empty();
+  return !kind_of(file.path, file.content, file.options).empty();
 }
 
 double little_endian(std::string_view bytes) noexcept {
@@ -43,7 +55,7 @@ Packing read(const PackingFile& file) {
         fmt::format("{}: has {} bytes, which is no number of rows of four doubles (32 bytes); it is cut off, "
                     "or another format",
                     file.path, file.content.size()));
-  const std::string kind = kind_of(file);
+  const std::string kind = kind_of(file.path, file.content, file.options);
   SphereRows rows(file, {.names = {"x", "y", "z", kind == "xyzd" ? "diameter" : "radius"},
                          .place = file.path,
                          .header = "the format",
@@ -63,6 +75,10 @@ Packing read(const PackingFile& file) {
 }
 
 }  // namespace
+
+bool holds_doubles(const std::string& path, std::string_view bytes, const PackingOptions& options) {
+  return !kind_of(path, bytes, options).empty();
+}
 
 PackingFormat doubles_format() {
   return {"rows of four doubles", recognises, read, true};
