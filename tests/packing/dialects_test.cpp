@@ -187,6 +187,9 @@ TEST(LammpsDataDialects, AmbiguousOrWrongOrdersSayWhatToDeclare) {
               {"far outside the box", "declare"});
   expect_says(refusal(data("Atoms # full", column_rows("1 1 0.0", "0.05 0.05"))), {"'full'", "hybrid"});
   expect_says(refusal(data("Atoms", column_rows("1 7 8 9", "0.05 0.05 0.0204"))), {"no order of columns"});
+  // Ellipsoids have a flag and a density there.
+  const std::string ellipsoids = data("Atoms", column_rows("1 1 2500 0.05 0.05", "")) + "\nEllipsoids\n\n";
+  expect_says(refusal(ellipsoids), {"'Ellipsoids'", "atom_style"});
   PackingOptions unknown;
   unknown.atom_style = "hybrid sphere spin";
   expect_says(refusal(wide, unknown), {"'spin'", "columns"});

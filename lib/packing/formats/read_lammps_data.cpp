@@ -59,6 +59,7 @@ struct DataHead {
   std::optional<StatedUnit> unit;
   std::string style;                     ///< behind "Atoms #"
   std::string place;                     ///< of the heading
+  std::string shapes;                    ///< a section of particles that are no spheres; empty = none
   LineReader rows{""};                   ///< before the first of them
   std::optional<LineReader> velocities;  ///< the same of section Velocities
 };
@@ -117,6 +118,8 @@ DataHead read_head(const PackingFile& file) {
     if (is_heading(row)) {
       in_section = true;
       if (row.size() == 1 && row[0] == "Velocities") head.velocities = lines;
+      for (const char* shapes : {"Ellipsoids", "Lines", "Triangles", "Bodies"})
+        if (row.size() == 1 && row[0] == shapes) head.shapes = shapes;
       if (row.size() != 1 || row[0] != "Atoms") continue;
       if (!head.place.empty())
         throw InputError(fmt::format("{}: section 'Atoms' stands twice; keep one", row.where()));
@@ -173,6 +176,12 @@ AtomLayout choose_layout(const PackingFile& file, const DataHead& head, bool& re
     return atom_layout(file.options.atom_style, file.options.place.empty() ? file.path : file.options.place);
   if (!head.style.empty() && head.style != "hybrid") return atom_layout(head.style, head.place);
   recognised = true;
+  // Their styles put a flag and a density, or a mass, where spheres have a diameter and a density.
+  if (head.style.empty() && !head.shapes.empty())
+    throw InputError(
+        fmt::format("{}: section 'Atoms' does not name its style, and section '{}' says that there are other "
+                    "shapes than spheres; declare the style in [packing], as in atom_style = \"sphere\"",
+                    head.place, head.shapes));
   PlausibleLayout plausible(head.cell, head.types, head.style == "hybrid");
   std::size_t first_line = 0;
   for_rows(file, head.rows, [&](const TextRow& row) {
