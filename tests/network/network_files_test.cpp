@@ -88,6 +88,14 @@ TEST_F(NetworkFiles, BadMatricesAreRefusedByEntry) {
   expect_refused(general_ + "-2 2 0\n", "counts");
 }
 
+TEST_F(NetworkFiles, ASymmetricMatrixIsStoredInOneTriangle) {
+  expect_chain(matrix(symmetric_ + "3 3 2\n1 2 2\n2 3 3\n").graph);
+  expect_chain(matrix(symmetric_ + "3 3 2\n1 2 2\n3 2 3\n").graph);
+  expect_chain(matrix(symmetric_ + "3 3 3\n2 1 0.5\n2 1 1.5\n3 2 3\n").graph);
+  expect_refused(symmetric_ + "3 3 4\n2 1 2\n3 2 3\n1 2 2\n2 3 3\n",
+                 "K.mtx:5: entry (1, 2) is 2; the entry across the diagonal stands there, too");
+}
+
 TEST_F(NetworkFiles, WrittenMatricesReadBack) {
   const std::vector<MatrixMarket::Entry> lower = {{0, 0, 2.25, 0}, {1, 0, -2.25, 0}, {1, 1, 2.25, 0}};
   const auto again = matrix(matrix_market_text(2, lower, "a comment")).graph;

@@ -52,8 +52,26 @@ struct Halves {
   std::vector<double> diagonal;
 };
 
+/// One triangle of a symmetric file stands for both. A pair in both of them is one stored in full, whose
+/// conductance would count twice.
+void require_one_triangle(const Origin& origin, const std::vector<Entry>& entries) {
+  std::vector<Entry> upper, lower;
+  for (const auto& entry : entries) (entry.row < entry.column ? upper : lower).push_back(entry);
+  if (upper.empty()) return;
+  const auto before = [](const Entry& a, const Entry& b) {
+    return std::tie(a.row, a.column) < std::tie(b.row, b.column);
+  };
+  std::sort(lower.begin(), lower.end(), before);
+  for (const auto& entry : upper)
+    if (std::binary_search(lower.begin(), lower.end(), Entry{entry.column, entry.row, 0, 0}, before))
+      origin.refuse(entry,
+                    "the entry across the diagonal stands there, too, and one triangle of a symmetric matrix "
+                    "stands for both: leave one out, or call the matrix general");
+}
+
 Halves split(const Origin& origin, MatrixMarket matrix) {
   Halves out;
+  if (matrix.is_symmetric && !matrix.is_dense) require_one_triangle(origin, matrix.entries);
   out.diagonal.assign(matrix.rows, 0.0);
   std::vector<Entry> lower;
   for (const auto& entry : matrix.entries) {
