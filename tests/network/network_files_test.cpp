@@ -146,6 +146,24 @@ TEST_F(NetworkFiles, PoreNetworksJoinPoresByThroats) {
             std::string::npos);
 }
 
+/// What stands below a gap would have another number, or join other pores.
+TEST_F(NetworkFiles, PoreNetworksHaveNoGapsAboveTheirPadding) {
+  const auto refusal = [&](const std::string& rows) {
+    const std::string file = folder_.write(
+        "net.csv", "pore.coords[0],pore.volume,throat.conns[0],throat.conns[1],throat.k\n" + rows);
+    return test::message_of<InputError>([&] { (void)read_openpnm(file, "throat.k", "pore.volume"); });
+  };
+  EXPECT_EQ(refusal("0,1,0,1,2\n1,1,1,2,3\n2,1,,,\n"), "");
+  EXPECT_NE(refusal("0,1,0,1,2\n,,1,2,3\n2,1,,,\n3,1,,,\n").find("net.csv:4: column 'pore.coords[0]'"),
+            std::string::npos);
+  EXPECT_NE(refusal("0,1,0,1,2\n1,1,1,2,3\nnan,1,,,\n").find("net.csv:4: column 'pore.volume' is '1'"),
+            std::string::npos);
+  EXPECT_NE(refusal("0,1,nan,1,2\n1,1,1,2,3\n2,1,,,\n").find("net.csv:2: column 'throat.conns[1]' is '1'"),
+            std::string::npos);
+  EXPECT_NE(refusal("0,1,,,\n1,1,1,2,3\n2,1,,,\n").find("net.csv:3: column 'throat.conns[0]'"),
+            std::string::npos);
+}
+
 /// What OpenPNM writes for ParaView: names with bars, labels as integers, arrays divided by tabs.
 std::string pores_for_paraview(const std::string& lines, const std::string& offsets = "2\t4") {
   return "<?xml version=\"1.0\" ?>\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
@@ -44,6 +45,41 @@ std::int64_t pore(const DelimitedTable& table, std::size_t column) {
   return *value;
 }
 
+/// Columns of pores and of throats stand side by side, and the shorter ones are padded at their end: what has
+/// no number above that would be left out, and all that follows it counted wrongly.
+class Padding {
+ public:
+  ///   columns  of a pore or a throat, the first of which tells whether there is one
+  Padding(std::string what, std::vector<std::size_t> columns)
+      : what_(std::move(what)), columns_(std::move(columns)) {}
+  /// True where the row has no pore or throat any more. Throws InputError for half of one, or one below.
+  bool has_begun(const DelimitedTable& table) {
+    const auto cell = [&](std::size_t column) { return table.cells()[column]; };
+    if (!is_gap(cell(columns_[0]))) {
+      if (line_ > 0)
+        throw InputError(
+            fmt::format("{}: column '{}' has no number on line {}, and goes on here; give every {} "
+                        "one, or remove that row",
+                        table.where(), table.names()[columns_[0]], line_, what_));
+      return false;
+    }
+    for (const auto column : columns_)
+      if (!is_gap(cell(column)))
+        throw InputError(
+            fmt::format("{}: column '{}' is {}, and '{}' has no number; give the {} one, or remove "
+                        "it",
+                        table.where(), table.names()[column], in_quotes(cell(column)),
+                        table.names()[columns_[0]], what_));
+    if (line_ == 0) line_ = table.line();
+    return true;
+  }
+
+ private:
+  std::string what_;
+  std::vector<std::size_t> columns_;
+  std::size_t line_ = 0;
+};
+
 /// Columns of pores that hold True and False.
 struct Labels {
   std::vector<std::size_t> column;
@@ -80,12 +116,14 @@ PoreNetwork pores_of_table(const std::string& file, const std::string& text, con
   Labels labels(table, network);
   std::vector<Pore> pores;
   std::vector<Throat> throats;
-  while (table.next()) {  // columns of pores and of throats stand side by side, the shorter ones padded
-    if (!is_gap(table.cells()[position])) {
+  Padding below_pores("pore", size == none ? std::vector{position} : std::vector{position, size}),
+      below_throats("throat", {first, second, value});
+  while (table.next()) {
+    if (!below_pores.has_begun(table)) {
       pores.push_back({size == none ? 1.0 : number(table, size), table.line()});
       labels.add(table);
     }
-    if (is_gap(table.cells()[first])) continue;
+    if (below_throats.has_begun(table)) continue;
     throats.push_back({pore(table, first), pore(table, second), number(table, value), table.line()});
   }
   labels.drop_what_is_none();
