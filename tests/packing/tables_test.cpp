@@ -118,5 +118,10 @@ TEST(Tables, WhatCannotBeKnownIsAsked) {
   expect_says(refusal("0.1,0.2,0.3,0.4,7\n", declared), {"5 columns, and 4 are declared"});
 }
 
+TEST(Tables, TheDelimiterThatASpreadsheetStatesMayBeATab) {
+  expect_column(
+      read_as("a.tsv", "sep=\t\r\nid\tx\ty\tz\tr\r\n" + column_rows("0.05\t0.05", "0.0102", 1, true, "\t")));
+}
+
 }  // namespace
 }  // namespace superstep

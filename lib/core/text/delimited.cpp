@@ -147,6 +147,12 @@ char delimiter_of(std::string_view line) noexcept {
   return comma ? ',' : ' ';
 }
 
+char stated_delimiter(std::string_view line) noexcept {
+  constexpr std::string_view key = "sep=";
+  while (!line.empty() && is_blank(line.back()) && line.size() > key.size() + 1) line.remove_suffix(1);
+  return line.size() == key.size() + 1 && lower_case(line.substr(0, key.size())) == key ? line.back() : '\0';
+}
+
 bool is_comment_or_blank(std::string_view line) noexcept {
   line = trimmed(line);
   return line.empty() || line.front() == '#' || line.front() == '%';
@@ -168,15 +174,13 @@ DelimitedTable::DelimitedTable(std::string path, std::string_view text, const He
   std::vector<Comment> comments;
   while (lines_.next() && is_comment_or_blank(lines_.line()))
     if (!trimmed(lines_.line()).empty()) comments.push_back({trimmed(lines_.line()), lines_.number()});
-  const std::string_view separator = trimmed(lines_.line());
-  const bool stated =
-      separator.size() == 5 && lower_case(separator.substr(0, 4)) == "sep=";  // spreadsheets' own line
-  if (stated)
+  const char stated = stated_delimiter(lines_.line());
+  if (stated != '\0')
     while (lines_.next() && is_comment_or_blank(lines_.line())) {
     }
   first_text_ = lines_.line();
   first_line_ = line_ = lines_.number();
-  delimiter_ = stated ? separator[4] : delimiter_of(first_text_);
+  delimiter_ = stated != '\0' ? stated : delimiter_of(first_text_);
   split(first_text_);
   width_ = cells_.size();
   if (std::any_of(cells_.begin(), cells_.end(), is_name) &&

@@ -20,6 +20,9 @@ bool split_cells(std::string_view line, char delimiter, std::vector<std::string_
 /// The delimiter of a table by one of its lines: ';' before tab before ',' (outside quotes), else blanks.
 [[nodiscard]] char delimiter_of(std::string_view line) noexcept;
 
+/// The delimiter that spreadsheets state in a line of its own, as in "sep=;"; NUL in other lines.
+[[nodiscard]] char stated_delimiter(std::string_view line) noexcept;
+
 /// True for a line that says nothing to a table: blank, or a comment (`#` or `%`).
 [[nodiscard]] bool is_comment_or_blank(std::string_view line) noexcept;
 

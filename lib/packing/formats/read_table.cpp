@@ -31,9 +31,10 @@ bool recognises(const PackingFile& file) {
   LineReader lines(file.content);
   while (lines.next() && is_comment_or_blank(lines.line())) {
   }
+  if (stated_delimiter(lines.line()) != '\0') return true;
   const char delimiter = delimiter_of(lines.line());
   if (!split_cells(lines.line(), delimiter, cells)) return delimiter != ' ';
-  if (delimiter != ' ') return cells.size() > 1 || lower_case(trimmed(lines.line())).starts_with("sep=");
+  if (delimiter != ' ') return cells.size() > 1;
   constexpr std::size_t position = 3;
   if (cells.size() < position) return false;
   return all_numbers(cells) || !file.options.columns.empty() ||
