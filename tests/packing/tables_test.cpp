@@ -123,5 +123,28 @@ TEST(Tables, TheDelimiterThatASpreadsheetStatesMayBeATab) {
       read_as("a.tsv", "sep=\t\r\nid\tx\ty\tz\tr\r\n" + column_rows("0.05\t0.05", "0.0102", 1, true, "\t")));
 }
 
+/// The sign of comments is also what people call a column of numbers.
+TEST(Tables, AHeaderThatBeginsWithANumberSignIsOne) {
+  for (const char sign : {',', ';', '\t'}) {
+    std::string text = "#,x,y,z,d\n" + column_rows("0.05,0.05", "0.0204", 1, true, ",");
+    for (auto& c : text) c = c == ',' ? sign : c;
+    expect_column(read_as("a.csv", text));
+  }
+  expect_column(read_as("a.csv", "\"#\",x,y,z,d\n" + column_rows("0.05,0.05", "0.0204", 1, true, ",")));
+  const auto packing = read_as("a.csv", "#,id,x,y,z,r\n1,7,0,0,0,1\n2,9,0,0,3,1\n");
+  EXPECT_EQ(packing.id, (Ids{7, 9}));
+  EXPECT_EQ(read_as("a.csv", "#, made by hand\n0,0,0,1\n").size(), 1u);
+}
+
+TEST(Tables, AHeaderInAnotherLanguageIsNotTakenForProse) {
+  for (const char* head : {"# Nr X Y Z Durchmesser\n", "#Nr;X;Y;Z;Durchmesser\n", "% n, x, y, z, diametre\n"})
+    expect_says(refusal(head + column_rows("0.05 0.05", "0.0204")),
+                {"p.txt:1:", "none of them radius or diameter", "columns = ["});
+  PackingOptions declared;
+  declared.columns = {"id", "x", "y", "z", "diameter"};
+  expect_column(read_as("a.txt", "# Nr X Y Z Durchmesser\n" + column_rows("0.05 0.05", "0.0204"), declared));
+  EXPECT_EQ(read_as("a.txt", "# spheres of a steel box\n1 0 0 0 1\n2 0 0 0.5 1.5\n").size(), 2u);
+}
+
 }  // namespace
 }  // namespace superstep

@@ -193,30 +193,53 @@ DelimitedTable::DelimitedTable(std::string path, std::string_view text, const He
   take_header_from(comments, rule);
 }
 
+/// What a comment may call the columns. The sign that begins it may be the name of the first: "#,x,y,z".
+std::vector<std::vector<std::string>> DelimitedTable::names_of(std::string_view comment) const {
+  std::vector<std::vector<std::string>> out;
+  if (delimiter_ != ' ') out.push_back(names_in(comment, delimiter_));
+  const std::string text = without_marks(comment);
+  for (const char delimiter : {delimiter_, delimiter_of(text), ' '}) {
+    out.push_back(names_in(text, delimiter));
+    for (auto& name : out.back()) name = without_number(name);
+  }
+  return out;
+}
+
 void DelimitedTable::take_header_from(const std::vector<Comment>& comments, const HeaderRule& rule) {
-  for (auto comment = comments.rbegin(); comment != comments.rend(); ++comment) {
-    const std::string text = without_marks(comment->text);
-    for (const char delimiter : {delimiter_, delimiter_of(text), ' '}) {
-      auto names = names_in(text, delimiter);
-      for (auto& name : names) name = without_number(name);
+  for (auto comment = comments.rbegin(); comment != comments.rend(); ++comment)
+    for (auto& names : names_of(comment->text)) {
       if (!is_header(names, rule)) continue;
       names_ = std::move(names);
       first_text_ = trimmed(comment->text.substr(1));
       first_line_ = comment->line;
       return;
     }
-  }
   if (!rule.is_column) return;
-  for (const auto& comment : comments) reject_half_a_header(comment, rule);
+  for (const auto& comment : comments) {
+    reject_half_a_header(comment, rule);
+    for (const auto& names : names_of(comment.text))
+      if (is_likely_header(names, rule)) likely_header_ = comment;
+  }
+}
+
+bool DelimitedTable::could_be_header(const std::vector<std::string>& names) const {
+  return names.size() == width_ && std::all_of(names.begin(), names.end(), [](const std::string& name) {
+           return is_name(name) || name == "#";
+         });
 }
 
 bool DelimitedTable::is_header(const std::vector<std::string>& names, const HeaderRule& rule) const {
-  if (names.size() != width_ || !std::all_of(names.begin(), names.end(), is_name)) return false;
+  if (!could_be_header(names)) return false;
   const auto states_unit = [](const std::string& name) {
     const std::string_view unit = split_bracketed_unit(name).unit;
     return !unit.empty() && !parse_number(unit);
   };
   return !rule.is_header || rule.is_header(names) || std::any_of(names.begin(), names.end(), states_unit);
+}
+
+bool DelimitedTable::is_likely_header(const std::vector<std::string>& names, const HeaderRule& rule) const {
+  return could_be_header(names) &&
+         2 * static_cast<std::size_t>(std::count_if(names.begin(), names.end(), rule.is_column)) >= width_;
 }
 
 void DelimitedTable::reject_half_a_header(const Comment& comment, const HeaderRule& rule) const {

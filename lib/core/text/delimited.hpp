@@ -41,6 +41,11 @@ struct HeaderRule {
 
 class DelimitedTable {
  public:
+  struct Comment {
+    std::string_view text;
+    std::size_t line = 0;
+  };
+
   /// Finds delimiter and header of `text`, which must outlive the table. The header is the first line that is
   /// no comment, where it holds a word and no number; else the last comment before it that has as many names
   /// and is one by the rule, or says units in brackets; else there is none. Signs around the names do not
@@ -57,6 +62,10 @@ class DelimitedTable {
   [[nodiscard]] std::size_t first_line() const noexcept { return first_line_; }
   [[nodiscard]] std::string_view first_text() const noexcept { return first_text_; }
 
+  /// A comment above the rows that has a name for each column, half of them known at least, and is no header
+  /// by the rule; line 0 = there is none.
+  [[nodiscard]] const Comment& likely_header() const noexcept { return likely_header_; }
+
   /// Moves to the next row that is neither blank nor a comment; false at the end. A short or long row throws
   /// InputError.
   bool next();
@@ -68,11 +77,10 @@ class DelimitedTable {
   [[nodiscard]] std::string where_header() const;
 
  private:
-  struct Comment {
-    std::string_view text;
-    std::size_t line;
-  };
   void take_header_from(const std::vector<Comment>& comments, const HeaderRule& rule);
+  [[nodiscard]] std::vector<std::vector<std::string>> names_of(std::string_view comment) const;
+  [[nodiscard]] bool could_be_header(const std::vector<std::string>& names) const;
+  [[nodiscard]] bool is_likely_header(const std::vector<std::string>& names, const HeaderRule& rule) const;
   [[nodiscard]] bool is_header(const std::vector<std::string>& names, const HeaderRule& rule) const;
   void reject_half_a_header(const Comment& comment, const HeaderRule& rule) const;
   void split(std::string_view line);
@@ -82,6 +90,8 @@ class DelimitedTable {
   std::vector<std::string> names_;
   std::vector<std::string_view> cells_;
   std::string_view first_text_;
+  Comment likely_header_;
+  std::string_view header_comment_;  ///< the whole line, where the header stands in a comment
   std::size_t width_ = 0, line_ = 0, first_line_ = 0;
   char delimiter_ = ',';
   bool row_waits_ = false;  ///< the first row was looked at to find out that there is no header

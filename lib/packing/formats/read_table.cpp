@@ -51,6 +51,11 @@ bool column_is_whole(const PackingFile& file, std::size_t column) {
 
 /// What four or five columns without names can only mean.
 std::vector<std::string> customary_names(const PackingFile& file, const DelimitedTable& table) {
+  if (const auto& comment = table.likely_header(); comment.line > 0)
+    throw InputError(fmt::format(
+        "{}:{}: the comment {} names the columns, and none of them radius or diameter; call that column so, "
+        "or declare them, as in [packing] columns = [\"id\", \"x\", \"y\", \"z\", \"diameter\"]",
+        file.path, comment.line, in_quotes(comment.text)));
   if (table.width() == 4) return {"x", "y", "z", "radius"};
   if (table.width() == 5 && column_is_whole(file, 0) && !column_is_whole(file, 4))
     return {"id", "x", "y", "z", "radius"};

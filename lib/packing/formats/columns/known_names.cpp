@@ -53,6 +53,7 @@ std::vector<CoordinateNames> all_coordinate_names() {
 
 PlainName plain_name(std::string_view written) {
   written = last_part(written);
+  if (written == "#") return {"#", std::nullopt, {}};  // of a column of numbers
   auto [rest, unit] = split_bracketed_unit(written);
   const bool in_brackets = rest != written;
   if (const std::size_t cut = written.find_last_of("_/ ");
@@ -78,7 +79,8 @@ const std::vector<CoordinateNames>& coordinate_names() {
   return names;
 }
 const std::vector<std::string>& id_names() {
-  static const std::vector<std::string> names = {"id", "ids", "particleid", "atomid", "bodyid", "sphereid"};
+  static const std::vector<std::string> names = {"id",     "ids",      "particleid", "atomid",
+                                                 "bodyid", "sphereid", "#"};
   return names;
 }
 const std::vector<std::string>& radius_names() {
