@@ -146,5 +146,12 @@ TEST(Tables, AHeaderInAnotherLanguageIsNotTakenForProse) {
   EXPECT_EQ(read_as("a.txt", "# spheres of a steel box\n1 0 0 0 1\n2 0 0 0.5 1.5\n").size(), 2u);
 }
 
+/// np.savetxt writes its header above every block that goes into an open file.
+TEST(Tables, AHeaderThatStandsAgainBeginsAnotherTable) {
+  const std::string block = "# x y z r\n0 0 0 1\n0 0 3 1\n";
+  expect_says(refusal(block + "# x y z r\n0 0 0.5 1\n0 0 3.5 1\n"), {"p.txt:4:", "of line 1 stands again"});
+  EXPECT_EQ(read_as("a.txt", block + "# the rest\n0 0 6 1\n").size(), 3u);
+}
+
 }  // namespace
 }  // namespace superstep

@@ -210,6 +210,7 @@ void DelimitedTable::take_header_from(const std::vector<Comment>& comments, cons
     for (auto& names : names_of(comment->text)) {
       if (!is_header(names, rule)) continue;
       names_ = std::move(names);
+      header_comment_ = comment->text;
       first_text_ = trimmed(comment->text.substr(1));
       first_line_ = comment->line;
       return;
@@ -254,6 +255,15 @@ void DelimitedTable::reject_half_a_header(const Comment& comment, const HeaderRu
       path_, comment.line, in_quotes(comment.text), width_));
 }
 
+/// np.savetxt into an open file writes its header again above every block.
+void DelimitedTable::reject_second_header(std::string_view comment) const {
+  if (header_comment_.empty() || comment != header_comment_) return;
+  throw InputError(fmt::format(
+      "{}:{}: the header {} of line {} stands again: what follows is another table, or another time step, "
+      "which would lie on top of the first; keep one",
+      path_, lines_.number(), in_quotes(comment), first_line_));
+}
+
 std::string DelimitedTable::where() const {
   return fmt::format("{}:{}", path_, line_);
 }
@@ -272,7 +282,10 @@ void DelimitedTable::split(std::string_view line) {
 bool DelimitedTable::next() {
   if (std::exchange(row_waits_, false)) return true;
   while (lines_.next()) {
-    if (is_comment_or_blank(lines_.line())) continue;
+    if (is_comment_or_blank(lines_.line())) {
+      reject_second_header(trimmed(lines_.line()));
+      continue;
+    }
     line_ = lines_.number();
     split(lines_.line());
     if (cells_.size() == width_ && all_blank(cells_)) continue;  // as spreadsheets leave them below a table

@@ -67,7 +67,7 @@ class DelimitedTable {
   [[nodiscard]] const Comment& likely_header() const noexcept { return likely_header_; }
 
   /// Moves to the next row that is neither blank nor a comment; false at the end. A short or long row throws
-  /// InputError.
+  /// InputError, and so does a header in a comment that stands a second time.
   bool next();
   [[nodiscard]] const std::vector<std::string_view>& cells() const noexcept { return cells_; }
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
@@ -83,6 +83,7 @@ class DelimitedTable {
   [[nodiscard]] bool is_likely_header(const std::vector<std::string>& names, const HeaderRule& rule) const;
   [[nodiscard]] bool is_header(const std::vector<std::string>& names, const HeaderRule& rule) const;
   void reject_half_a_header(const Comment& comment, const HeaderRule& rule) const;
+  void reject_second_header(std::string_view comment) const;
   void split(std::string_view line);
 
   std::string path_;
