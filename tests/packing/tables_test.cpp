@@ -153,5 +153,12 @@ TEST(Tables, AHeaderThatStandsAgainBeginsAnotherTable) {
   EXPECT_EQ(read_as("a.txt", block + "# the rest\n0 0 6 1\n").size(), 3u);
 }
 
+/// Rows with words below names in a comment: no number tells that they are one.
+TEST(Tables, WordsBetweenBlanksBelowAHeaderInAComment) {
+  for (const char* head :
+       {"# id x y z r material\n", "% ID X Y Z R Mat\n", "# id x [m] y [m] z [m] r [m] material\n"})
+    expect_column(read_as("a.txt", head + column_rows("0.05 0.05", "0.0102 steel")));
+}
+
 }  // namespace
 }  // namespace superstep

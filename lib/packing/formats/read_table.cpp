@@ -23,6 +23,15 @@ bool all_numbers(const std::vector<std::string_view>& cells) {
   return std::all_of(cells.begin(), cells.end(), [](auto cell) { return parse_number(cell).has_value(); });
 }
 
+/// True where a comment names positions: rows below it may hold words.
+bool comment_names_a_position(const PackingFile& file) {
+  try {
+    return names_a_position(DelimitedTable(file.path, file.content, sphere_header_rule()).names());
+  } catch (const InputError&) {
+    return true;  // of half a header, which is said when the table is read
+  }
+}
+
 /// Nearly every text with a delimiter is a table, so that what is wrong with it can be said; one whose cells
 /// stand between blanks must look like numbers, or name positions.
 bool recognises(const PackingFile& file) {
@@ -38,7 +47,8 @@ bool recognises(const PackingFile& file) {
   constexpr std::size_t position = 3;
   if (cells.size() < position) return false;
   return all_numbers(cells) || !file.options.columns.empty() ||
-         names_a_position(std::vector<std::string>(cells.begin(), cells.end()));
+         names_a_position(std::vector<std::string>(cells.begin(), cells.end())) ||
+         comment_names_a_position(file);
 }
 
 /// True when every row has a whole number in this column.
