@@ -95,6 +95,10 @@ TEST(Tables, SixteenBitTextAndOldLineEnds) {
       for (const char c : text) wide += little ? std::string{c, '\0'} : std::string{'\0', c};
       expect_column(read_as("a.csv", wide));
     }
+  const std::string micro = "x [\xB5m],y [\xB5m],z [\xB5m],r [\xB5m]\n1,2,3,4\n";
+  std::string wide;
+  for (const char c : micro) wide += {c, '\0'};
+  EXPECT_NEAR(read_as("a.csv", wide).radius[0], 4e-6, 1e-18);
   std::string old = "id,x,y,z,radius\n" + column_rows("0.05,0.05", "0.0102", 1, true, ",");
   for (auto& c : old)
     if (c == '\n') c = '\r';

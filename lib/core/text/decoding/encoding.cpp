@@ -11,10 +11,10 @@ enum class Order { none, little, big };
 
 bool is_plain(char c) noexcept {
   const auto byte = static_cast<unsigned char>(c);
-  return (byte >= 0x20 && byte < 0x7F) || byte == '\t' || byte == '\r' || byte == '\n';
+  return (byte >= 0x20 && byte < 0x7F) || byte >= 0xA0 || byte == '\t' || byte == '\r' || byte == '\n';
 }
 
-/// UTF-16 by its mark; without one, when the beginning is ASCII with every other byte zero.
+/// UTF-16 by its mark; without one, when the beginning is Latin-1 with every other byte zero.
 Order utf16_order(std::string_view bytes) noexcept {
   if (bytes.starts_with("\xFF\xFE")) return Order::little;
   if (bytes.starts_with("\xFE\xFF")) return Order::big;
