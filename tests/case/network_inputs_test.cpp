@@ -98,5 +98,22 @@ TEST_F(NetworkInputs, SurroundingsOfALaplacianDrawTheNetworkToTheirValue) {
   for (const double value : values_at_end(scene)) EXPECT_NEAR(value, 7, 1e-6);
 }
 
+/// It would start from 0.
+TEST_F(NetworkInputs, AFileOfInitialValuesForgetsNoNode) {
+  folder_.write("e.csv", "i,j,conductance\n1,2,1\n2,3,1\n");
+  const std::string network = "t_end = 1\n[network]\nedges = \"e.csv\"\ncapacity = 1\n";
+  folder_.write("i.csv", "id,value\n1,300\n3,300\n");
+  expect_refused(network + "initial = \"i.csv\"\n", "no value for node 2");
+  EXPECT_EQ(load(network + "initial = \"i.csv\"\nfixed = [ { ids = [2], value = 5.0 } ]\n")
+                .fields[0]
+                .graph.initial[0],
+            300);
+  folder_.write("i.txt", "300\nnan\n300\n");
+  expect_refused(network + "initial = \"i.txt\"\n", "no value for node 2");
+  folder_.write("i.mtx", "%%MatrixMarket matrix coordinate real general\n3 1 1\n1 1 300\n");
+  EXPECT_EQ(load(network + "initial = \"i.mtx\"\n").fields[0].graph.initial[1], 0)
+      << "what is not stored is 0";
+}
+
 }  // namespace
 }  // namespace superstep

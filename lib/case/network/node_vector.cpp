@@ -23,7 +23,7 @@ namespace {
 NodeVector of_matrix(const std::string& path, std::size_t nodes) {
   const MatrixMarket matrix = read_matrix_market(path);
   if (matrix.columns != 1 || matrix.rows != nodes) wrong_length(path, matrix.rows * matrix.columns, nodes);
-  NodeVector out{std::vector<double>(nodes, 0.0), std::vector<char>(nodes, 0)};
+  NodeVector out{std::vector<double>(nodes, 0.0), std::vector<char>(nodes, 0), !matrix.is_dense};
   for (const auto& entry : matrix.entries) {
     out.value[static_cast<std::size_t>(entry.row)] += entry.value;
     out.given[static_cast<std::size_t>(entry.row)] = 1;

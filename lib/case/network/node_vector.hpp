@@ -11,6 +11,7 @@ namespace superstep {
 struct NodeVector {
   std::vector<double> value;  ///< [n]
   std::vector<char> given;    ///< [n] 0 where the file says nothing
+  bool is_sparse = false;     ///< of the Matrix Market, where what is not said is 0
 };
 
 /// Reads a vector of the Matrix Market, a column of numbers (one line for each node; nan = nothing), or a

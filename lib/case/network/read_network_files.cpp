@@ -162,6 +162,15 @@ void read_lists(TomlTable& network, double t_end, Graph& graph) {
   read_source(network, t_end, nullptr, graph);
 }
 
+/// A node that the file of initial values leaves out would start from 0; only where nothing depends on its
+/// start it may be left out.
+void require_initial(const TomlValue& file, const NodeVector& values, const Graph& graph) {
+  for (std::size_t k = 0; k < graph.nodes(); ++k)
+    if (!values.given[k] && !values.is_sparse && !graph.is_fixed[k] && graph.capacity[k] > 0)
+      file.reject(fmt::format("the file has no value for node {}; every node that is not fixed needs one",
+                              graph.id[k]));
+}
+
 /// What the files of nodes hold, for networks that come without one.
 void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, Graph& graph) {
   if (pores == nullptr) read_vector(network, "capacity", graph.id, graph.capacity);
@@ -173,11 +182,14 @@ void read_node_keys(TomlTable& network, double t_end, const PoreNetwork* pores, 
       throw InputError(fmt::format("{}: {}", network.where(), rule));  // an array
     }
   const auto initial = network.find("initial");
-  if (initial && initial->is_string())
-    read_vector(network, "initial", graph.id, graph.initial);
+  const bool of_file = initial && initial->is_string();
+  const NodeVector start = of_file ? read_vector_of(*initial, graph.id) : NodeVector{};
+  if (of_file)
+    graph.initial = start.value;
   else if (initial)
     graph.initial = read_initial(network, graph.id, nullptr);
   read_fixed(network, t_end, pores, graph);
+  if (of_file) require_initial(*initial, start, graph);
   read_source(network, t_end, pores, graph);
 }
 
