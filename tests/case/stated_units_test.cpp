@@ -109,6 +109,11 @@ TEST_F(StatedUnits, VectorsOfNodesObeyTheirHeader) {
     EXPECT_EQ(scene.fields[0].graph.fixed_value[1], 1) << content;
   }
   expect_refused(fixed("id,value [mV]\n1,1000\n3,0\n"), "f.csv:1: column 'value [mV]' is in mV");
+  for (const char* head : {"id,T_C\n", "# id T_degC\n", "id,temperature_C\n"})
+    expect_refused(fixed(head + std::string(head[0] == '#' ? "1 20\n3 0\n" : "1,20\n3,0\n")),
+                   "f.csv:1: column");
+  for (const char* head : {"id,T_kelvin\n", "id,T_max\n"})
+    EXPECT_NO_THROW((void)load_scene(folder_.write("c.toml", fixed(head + std::string("1,20\n3,0\n")))));
   expect_refused(fixed("node,value\n1,1000\n3,0\n"), "one of its two columns must be called id");
   folder_.write("c.csv", "capacity [kJ/K]\n1\n1\n1\n");
   expect_refused("t_end = 1\n[network]\nedges = \"e.csv\"\ncapacity = \"c.csv\"\n", "is in kJ/K");
@@ -163,6 +168,9 @@ TEST_F(StatedUnits, OfProfilesAreReadFromTheirNames) {
   expect_refused(profile("# time [ms] value [K]\n0 0\n1 1\n"), "times must be in s");
   expect_refused(profile("## time [ms] value\n0 0\n1 1\n"), "times must be in s");
   expect_refused(profile("# t [ms] T [K]\n0 0\n1 1\n"), "there is no column 'time'");
+  expect_refused(profile("time,T_C\n0,0\n1,1\n", ", value = \"T_C\""), "'T_C' is in C");
+  for (const char* head : {"# time_ms value\n", "# time value_mW\n", "# t_ms T\n", "# t T_C\n"})
+    expect_refused(profile(head + std::string("0 0\n1 1\n")), "p.csv:1");
   expect_refused(profile("time,value [mK]\n0,0\n1,1\n"), "is in mK; values must be in");
   const auto scene = load_scene(folder_.write("c.toml", profile("# my profile\n0 0\n1 1\n")));
   EXPECT_EQ(scene.fields[0].graph.tables.size(), 1u);

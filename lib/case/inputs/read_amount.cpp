@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "case/inputs/column_unit.hpp"
 #include "case/inputs/named_column.hpp"
 #include "case/inputs/named_file.hpp"
 #include "case/inputs/workable_times.hpp"
@@ -79,10 +80,10 @@ constexpr std::array<std::string_view, 10> of_values = {"mK", "mV", "kV", "uV", 
                                                         "kW", "MW", "uW", "mA", "kA"};
 
 /// Tables of time are in SI units: a column that says otherwise is not read as if it did not.
-void require_unit(const DelimitedTable& rows, std::size_t column, std::span<const std::string_view> words,
+void require_unit(const DelimitedTable& rows, std::size_t column, std::string_view stated(std::string_view),
                   bool plain(std::string_view), const char* way_out) {
   if (rows.names().empty()) return;
-  const std::string_view unit = stated_unit(rows.names()[column], words);
+  const std::string_view unit = stated(rows.names()[column]);
   if (unit.empty() || plain(unit)) return;
   throw InputError(
       fmt::format("{}: column '{}' is in {}; {}", rows.where_header(), rows.names()[column], unit, way_out));
@@ -92,6 +93,30 @@ bool is_second(std::string_view unit) {
   return unit == "s" || unit == "sec" || unit == "second" || unit == "seconds";
 }
 
+std::string_view unit_of_time(std::string_view name) {
+  return stated_unit(name, of_times);
+}
+std::string_view unit_of_value(std::string_view name) {
+  const std::string_view unit = stated_unit(name, of_values);
+  return unit.empty() ? split_column_unit(name).unit : unit;  // "T_C"
+}
+
+bool is_unit_of_value(std::string_view unit) {
+  const std::string word = lower_case(unit);
+  return (!is_second(unit) && is_plain_unit(unit)) || word == "kelvin" || word == "volt";
+}
+
+/// A comment is a header where it names both columns, or states a unit of one: "# time_ms P_mW".
+HeaderRule profile_header(const std::string& time, const std::string& value) {
+  HeaderRule rule = header_of({time, value}, 2);
+  rule.is_header = [names_both = rule.is_header](const std::vector<std::string>& names) {
+    return names_both(names) || std::any_of(names.begin(), names.end(), [](const std::string& name) {
+             return !unit_of_time(name).empty() || !unit_of_value(name).empty();
+           });
+  };
+  return rule;
+}
+
 TimeTable read_profile(TomlTable& table, const TomlValue& file) {
   const std::string path = named_path(file),
                     text = read_named_file(file, [](const auto&name) { return read_text_file(name); });
@@ -99,18 +124,17 @@ TimeTable read_profile(TomlTable& table, const TomlValue& file) {
     const auto stated = table.find(key);
     return bare_name(stated ? stated->string() : key);
   };
-  DelimitedTable rows(path, text, header_of({name_of("time"), name_of("value")}, 2));
+  DelimitedTable rows(path, text, profile_header(name_of("time"), name_of("value")));
   const auto column = [&](const char* key, std::size_t fallback) {
     const auto stated = table.find(key);
     return column_named(rows, stated ? stated->string() : key, stated ? stated->where() : path,
                         stated ? std::nullopt : std::optional(fallback));
   };
   const std::size_t time = column("time", 0), value = column("value", 1);
-  require_unit(rows, time, of_times, is_second, "times must be in s");
+  require_unit(rows, time, unit_of_time, is_second, "times must be in s");
   if (!table.find("scale"))
-    require_unit(
-        rows, value, of_values, [](std::string_view unit) { return !is_second(unit) && is_plain_unit(unit); },
-        "values must be in K, V, W or A; or give scale, by which they are multiplied");
+    require_unit(rows, value, unit_of_value, is_unit_of_value,
+                 "values must be in K, V, W or A; or give scale, by which they are multiplied");
   TimeTable out;
   std::vector<std::size_t> line;
   while (rows.next()) {

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
+#include "case/inputs/column_unit.hpp"
 #include "case/inputs/named_column.hpp"
 #include "core/error.hpp"
 #include "core/text/bracketed_unit.hpp"
@@ -41,8 +43,18 @@ std::pair<std::size_t, std::size_t> columns_of_pairs(const DelimitedTable& table
                                table.where_header(), table.first_text().substr(0, 120)));
 }
 
+/// Units in brackets, and those that end a name: "T_C".
+void require_unit_of_values(const DelimitedTable& table, std::size_t column) {
+  if (table.names().empty()) return;
+  const std::string& name = table.names()[column];
+  if (split_bracketed_unit(name).unit.empty())
+    require_column_unit(name, {}, table.where_header());
+  else
+    require_plain_unit(name, table.where_header());
+}
+
 NodeVector of_column(DelimitedTable& table, const std::string& path, std::size_t nodes) {
-  if (!table.names().empty()) require_plain_unit(table.names()[0], table.where_header());
+  require_unit_of_values(table, 0);
   NodeVector out;
   while (table.next()) {
     const bool gap = lower_case(table.cells()[0]) == "nan";
@@ -58,7 +70,7 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
   for (std::size_t k = 0; k < id.size(); ++k) position.emplace(id[k], k);
   NodeVector out{std::vector<double>(id.size(), 0.0), std::vector<char>(id.size(), 0)};
   const auto [id_column, value_column] = columns_of_pairs(table);
-  if (!table.names().empty()) require_plain_unit(table.names()[value_column], table.where_header());
+  require_unit_of_values(table, value_column);
   while (table.next()) {
     const auto number = parse_whole_number(table.cells()[id_column]);
     const auto found = number ? position.find(*number) : position.end();
@@ -73,14 +85,24 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
   return out;
 }
 
+/// A comment is a header where it names the columns, or states a unit of one: "# id T_C".
+HeaderRule vector_header() {
+  HeaderRule rule =
+      header_of({"id", "value", "capacity", "source", "initial", "fixed", "temperature", "potential"}, 2);
+  rule.is_header = [names_them = rule.is_header](const std::vector<std::string>& names) {
+    return names_them(names) || std::any_of(names.begin(), names.end(), [](const std::string& name) {
+             return !split_column_unit(name).unit.empty();
+           });
+  };
+  return rule;
+}
+
 }  // namespace
 
 NodeVector read_node_vector(const std::string& path, std::span<const std::int64_t> id) {
   const std::string text = read_text_file(path);
   if (is_matrix_market(text)) return of_matrix(path, id.size());
-  DelimitedTable table(
-      path, text,
-      header_of({"id", "value", "capacity", "source", "initial", "fixed", "temperature", "potential"}, 2));
+  DelimitedTable table(path, text, vector_header());
   if (table.width() == 1) return of_column(table, path, id.size());
   if (table.width() == 2) return of_pairs(table, id);
   throw InputError(fmt::format(
