@@ -100,15 +100,21 @@ double choose_unit(const PackingFile& file, const std::optional<StatedUnit>& by_
   for (const auto& stated : {file.stated, by_format})
     take(stated, file.path + " states that its lengths are in", "give that unit, or leave this key out");
   const bool dimensionless = (by_format && by_format->metres == 0) || file.options.units == "lj";
-  if (claim)
+  if (claim) {
     packing.notes.push_back(fmt::format("lengths are in {}", claim->words));
-  else if (dimensionless)
+  } else if (dimensionless) {
     packing.warnings.push_back(
         fmt::format("{}: its lengths have no dimension (units lj) and are taken as metres; give "
                     "length_unit",
                     file.path));
-  else
+  } else {
     packing.notes.push_back("the file states no unit of length: m");
+    if (const auto mentioned = mentioned_length_unit(file.is_text ? file.content : std::string_view{}))
+      packing.warnings.push_back(fmt::format(
+          "{}:{}: a comment mentions {}, and lengths are taken as metres, since the file does not state "
+          "their unit: write # length_unit = \"mm\" or the like, or give length_unit",
+          file.path, mentioned->line, in_quotes(mentioned->text)));
+  }
   return claim ? claim->metres : 1.0;
 }
 

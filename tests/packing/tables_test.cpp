@@ -16,6 +16,7 @@ using test::expect_says;
 using test::notes;
 using test::read_as;
 using test::refusal;
+using test::warns;
 
 /// The column of four spheres that most files here hold: z = 0.01, 0.03, 0.05, 0.07, radius 0.0102.
 void expect_column(const Packing& packing, const Ids& ids = {1, 2, 3, 4}) {
@@ -162,6 +163,19 @@ TEST(Tables, WordsBetweenBlanksBelowAHeaderInAComment) {
   for (const char* head :
        {"# id x y z r material\n", "% ID X Y Z R Mat\n", "# id x [m] y [m] z [m] r [m] material\n"})
     expect_column(read_as("a.txt", head + column_rows("0.05 0.05", "0.0102 steel")));
+}
+
+/// Metres are taken where no unit is stated in a way that is read, which must not pass in silence.
+TEST(Tables, AUnitThatACommentMentionsIsSaid) {
+  for (const char* head : {"# x y z r\n# mm mm mm mm\n", "# lengths in um\nx y z r\n",
+                           "% [nm]\n\n# x y z r\n", "# Unit: \xC2\xB5m\nx y z r\n"})
+    EXPECT_TRUE(warns(read_as("a.txt", head + std::string("0 0 0 1\n")), "a comment mentions")) << head;
+  PackingOptions millimetres;
+  millimetres.length_unit = 1e-3;
+  EXPECT_TRUE(read_as("a.txt", "# all in mm\n0 0 0 1\n", millimetres).warnings.empty());
+  for (const char* head : {"# length_unit = \"mm\"\n", "# x [mm] y [mm] z [mm] r [mm]\n",
+                           "# x y z r\n# m m m m\n", "# made of NM-5 at 3 cm2\n"})
+    EXPECT_TRUE(read_as("a.txt", head + std::string("0 0 0 1\n")).warnings.empty()) << head;
 }
 
 }  // namespace

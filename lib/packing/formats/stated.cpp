@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/number.hpp"
@@ -38,6 +40,21 @@ std::optional<StatedUnit> stated_length_unit(const std::string& path, std::strin
   if (!stated) return std::nullopt;
   return StatedUnit{length_unit(stated->text, fmt::format("{}:{}", path, stated->line)),
                     fmt::format("{}, as line {} says", stated->text, stated->line)};
+}
+
+std::optional<StatedValue> mentioned_length_unit(std::string_view text) {
+  constexpr std::string_view between = " \t,;:=()[]{}|\"'#%!";
+  LineReader lines(text);
+  while (lines.next() && is_comment_or_blank(lines.line())) {
+    std::string_view rest = lines.line();
+    while (!rest.empty()) {
+      const std::string_view word = rest.substr(0, rest.find_first_of(between));
+      rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+      const auto metres = length_unit_of_column(lower_case(word));
+      if (metres && *metres < 1) return StatedValue{std::string(word), lines.number()};
+    }
+  }
+  return std::nullopt;
 }
 
 std::array<bool, 3> periodic_edges(const std::string& word, const std::string& where) {

@@ -22,6 +22,10 @@ struct StatedValue {
 /// Unit of `# length_unit = "um"`. Throws InputError for a unit that does not exist.
 [[nodiscard]] std::optional<StatedUnit> stated_length_unit(const std::string& path, std::string_view text);
 
+/// The first word of the comments at the top that is a unit of length smaller than a metre, as in "# all in
+/// mm"; nothing where there is none.
+[[nodiscard]] std::optional<StatedValue> mentioned_length_unit(std::string_view text);
+
 /// Cell of `# cell = "ox oy oz ax ay az bx by bz cx cy cz"` and `# periodic = "xyz"`, in units of the file.
 /// Throws InputError.
 [[nodiscard]] std::optional<Cell> stated_cell(const PackingFile& file);
