@@ -53,6 +53,16 @@ TEST(Csv, NamesFileLineAndColumn) {
   EXPECT_NE(message_of<InputError>([&] { rows.next(); }).find("t.csv:5"), std::string::npos);
 }
 
+TEST(Csv, AColumnWithoutANameIsLeftOut) {
+  const TemporaryFolder folder;
+  for (const char* text : {",a,b\n0,2,1\n", "a,b,\n2,1\n", "a;b\n2;1;\n", "a,b\n2, 1,\n"}) {
+    CsvReader rows(folder.write("t.csv", text), {"a", "b"});
+    ASSERT_TRUE(rows.next());
+    EXPECT_EQ(rows.number(0), 2) << text;
+    EXPECT_EQ(rows.number(1), 1) << text;
+  }
+}
+
 TEST(Csv, ChecksTheHeader) {
   const TemporaryFolder folder;
   const auto open = [&](const std::string& text) {

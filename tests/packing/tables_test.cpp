@@ -178,5 +178,20 @@ TEST(Tables, AUnitThatACommentMentionsIsSaid) {
     EXPECT_TRUE(read_as("a.txt", head + std::string("0 0 0 1\n")).warnings.empty()) << head;
 }
 
+/// Loops that write a delimiter behind every cell do so behind the last one, too, and not always in the
+/// header.
+TEST(Tables, ADelimiterAtTheEndOfRowsOrOfTheHeaderIsNoCell) {
+  const std::string rows = column_rows("0.05,0.05", "0.0102", 1, true, ","),
+                    ended = column_rows("0.05, 0.05", "0.0102, ", 1, true, ", ");
+  expect_column(read_as("a.csv", "id,x,y,z,r\n" + ended));
+  expect_column(read_as("a.csv", "id,x,y,z,r,\n" + rows));
+  expect_column(read_as("a.csv", "id,x,y,z,r,\n" + ended));
+  expect_column(read_as("a.csv", "# id, x, y, z, r\n" + ended));
+  expect_column(read_as("a.csv", "id;x;y;z;r\n" + column_rows("0.05;0.05", "0.0102;", 1, true, ";")));
+  expect_says(refusal("id,x,y,z,r,T\n1,0,5,0,0,1,\n"), {"p.txt:2:", "7 cells", "a decimal point"});
+  expect_says(refusal("id,x,y,z,r\n1,0,0,0,1,5\n"), {"p.txt:2:", "6 cells"});
+  expect_says(refusal("id,x,y,z,r\n1,0,0,0\n"), {"p.txt:2:", "4 cells"});
+}
+
 }  // namespace
 }  // namespace superstep

@@ -27,6 +27,7 @@ void CsvReader::place_columns(std::size_t required, const std::vector<std::strin
   const auto& header = table_->names();
   for (std::size_t k = 0; k < header.size(); ++k) {
     const std::string name = bare_name(header[k]);
+    if (name.empty()) continue;  // row numbers, or what a delimiter at the end of the header makes
     const auto column = std::find(columns_.begin(), columns_.end(), name);
     if (column == columns_.end())
       throw InputError(fmt::format("{}: unknown column {} in the header{}", where_header(),

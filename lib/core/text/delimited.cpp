@@ -190,6 +190,7 @@ DelimitedTable::DelimitedTable(std::string path, std::string_view text, const He
     return;
   }
   row_waits_ = !is_comment_or_blank(first_text_);
+  first_row_ = first_text_;
   take_header_from(comments, rule);
 }
 
@@ -210,6 +211,7 @@ void DelimitedTable::take_header_from(const std::vector<Comment>& comments, cons
     for (auto& names : names_of(comment->text)) {
       if (!is_header(names, rule)) continue;
       names_ = std::move(names);
+      width_ = names_.size();
       header_comment_ = comment->text;
       first_text_ = trimmed(comment->text.substr(1));
       first_line_ = comment->line;
@@ -224,9 +226,9 @@ void DelimitedTable::take_header_from(const std::vector<Comment>& comments, cons
 }
 
 bool DelimitedTable::could_be_header(const std::vector<std::string>& names) const {
-  return names.size() == width_ && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-           return is_name(name) || name == "#";
-         });
+  return (names.size() == width_ || (names.size() + 1 == width_ && ends_with_delimiter(first_row_))) &&
+         std::all_of(names.begin(), names.end(),
+                     [](const std::string& name) { return is_name(name) || name == "#"; });
 }
 
 bool DelimitedTable::is_header(const std::vector<std::string>& names, const HeaderRule& rule) const {
@@ -279,8 +281,26 @@ void DelimitedTable::split(std::string_view line) {
                     where(), in_quotes(line)));
 }
 
+/// Programs end each row with a delimiter and not the header, or the other way round.
+void DelimitedTable::take_last_delimiter_off(std::string_view line) {
+  if (cells_.size() == width_ + 1 && ends_with_delimiter(line)) cells_.pop_back();
+  if (cells_.size() + 1 == width_ && !names_.empty() && names_.back().empty()) cells_.emplace_back();
+}
+
+/// A comma at the end may stand before a cell that is empty, where one of the others is a decimal one; not
+/// where blanks follow all of them.
+bool DelimitedTable::ends_with_delimiter(std::string_view line) const {
+  if (delimiter_ == ' ' || !cells_.back().empty()) return false;
+  for (std::size_t k = 0; delimiter_ == ',' && k + 1 < line.size(); ++k)
+    if (line[k] == ',' && !is_blank(line[k + 1])) return false;
+  return true;
+}
+
 bool DelimitedTable::next() {
-  if (std::exchange(row_waits_, false)) return true;
+  if (std::exchange(row_waits_, false)) {
+    take_last_delimiter_off(first_row_);
+    return true;
+  }
   while (lines_.next()) {
     if (is_comment_or_blank(lines_.line())) {
       reject_second_header(trimmed(lines_.line()));
@@ -288,6 +308,7 @@ bool DelimitedTable::next() {
     }
     line_ = lines_.number();
     split(lines_.line());
+    take_last_delimiter_off(lines_.line());
     if (cells_.size() == width_ && all_blank(cells_)) continue;  // as spreadsheets leave them below a table
     if (cells_.size() != width_)
       throw InputError(fmt::format(

@@ -85,12 +85,14 @@ class DelimitedTable {
   void reject_half_a_header(const Comment& comment, const HeaderRule& rule) const;
   void reject_second_header(std::string_view comment) const;
   void split(std::string_view line);
+  void take_last_delimiter_off(std::string_view line);
+  [[nodiscard]] bool ends_with_delimiter(std::string_view line) const;
 
   std::string path_;
   LineReader lines_;
   std::vector<std::string> names_;
   std::vector<std::string_view> cells_;
-  std::string_view first_text_;
+  std::string_view first_text_, first_row_;
   Comment likely_header_;
   std::string_view header_comment_;  ///< the whole line, where the header stands in a comment
   std::size_t width_ = 0, line_ = 0, first_line_ = 0;
