@@ -193,5 +193,11 @@ TEST(Tables, ADelimiterAtTheEndOfRowsOrOfTheHeaderIsNoCell) {
   expect_says(refusal("id,x,y,z,r\n1,0,0,0\n"), {"p.txt:2:", "4 cells"});
 }
 
+TEST(Tables, TheNameOfAFileSaysWhetherItsTextHoldsDiameters) {
+  EXPECT_EQ(read_as("a.xyzd", "0 0 0 1\n0 0 3 1\n").radius[0], 0.5);
+  EXPECT_EQ(read_as("a.xyzr", "0 0 0 1\n0 0 3 1\n").radius[0], 1);
+  EXPECT_EQ(read_as("b.xyzd", "x y z r\n0 0 0 1\n").radius[0], 1);
+}
+
 }  // namespace
 }  // namespace superstep

@@ -66,7 +66,7 @@ std::vector<std::string> customary_names(const PackingFile& file, const Delimite
         "{}:{}: the comment {} names the columns, and none of them radius or diameter; call that column so, "
         "or declare them, as in [packing] columns = [\"id\", \"x\", \"y\", \"z\", \"diameter\"]",
         file.path, comment.line, in_quotes(comment.text)));
-  if (table.width() == 4) return {"x", "y", "z", "radius"};
+  if (table.width() == 4) return {"x", "y", "z", file.path.ends_with(".xyzd") ? "diameter" : "radius"};
   if (table.width() == 5 && column_is_whole(file, 0) && !column_is_whole(file, 4))
     return {"id", "x", "y", "z", "radius"};
   throw InputError(
@@ -129,6 +129,7 @@ Packing read(const PackingFile& file) {
     layout.names = customary_names(file, table);
   }
   OneTimeStep time(declared.empty() ? table.names() : declared);
+  const std::vector<std::string> names = layout.names;
   SphereRows rows(file, std::move(layout));
   while (table.next()) {
     time.look_at(table);
@@ -136,9 +137,8 @@ Packing read(const PackingFile& file) {
   }
   Packing packing = rows.finish();
   if (customary)
-    packing.notes.insert(packing.notes.begin(), "no header: the columns are taken as " +
-                                                    std::string(table.width() == 5 ? "id, " : "") +
-                                                    "x, y, z, radius");
+    packing.notes.insert(packing.notes.begin(),
+                         fmt::format("no header: the columns are taken as {}", fmt::join(names, ", ")));
   return packing;
 }
 
