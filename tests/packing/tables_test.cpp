@@ -112,6 +112,7 @@ TEST(Tables, WhatCannotBeKnownIsAsked) {
   expect_says(refusal("0 0 0\n1 0 0\n"), {"rows of 3 columns"});
   expect_says(refusal("id;x;y;z;radius\n1;0,05;0,05;0,010;0,0102\n"),
               {"p.txt:2:", "'x' is '0,05'", "decimal"});
+  expect_says(refusal("id\tx\ty\tz\tr\n1 0 0 0 1\n"), {"p.txt:2:", "1 cells between tabs", "divided alike"});
   expect_says(refusal("0,05\t0,05\t0,010\t0,0102\n"), {"p.txt:1:", "'0,05'", "decimal"});
   expect_says(refusal("id,x,y,z,radius\n1,0,0,0,\"1\n"), {"p.txt:2:", "quote"});
   expect_says(refusal("id,x,y,z,r,diameter\n1,0,0,0,1,1\n"), {"radius is 1 and diameter 1"});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 
@@ -110,6 +111,13 @@ std::string without_number(std::string_view name) {
     name.remove_prefix(colon + 1);
   while (!name.empty() && (name.back() == ',' || name.back() == ';')) name.remove_suffix(1);
   return std::string(name);
+}
+
+std::string delimiter_name(char delimiter) {
+  constexpr std::string_view known = ",;\t ";
+  constexpr std::array<const char*, 4> names = {"commas", "semicolons", "tabs", "blanks"};
+  const auto place = known.find(delimiter);
+  return place == std::string_view::npos ? in_quotes({&delimiter, 1}) : names[place];
 }
 
 bool all_blank(const std::vector<std::string_view>& cells) {
@@ -312,10 +320,10 @@ bool DelimitedTable::next() {
     if (cells_.size() == width_ && all_blank(cells_)) continue;  // as spreadsheets leave them below a table
     if (cells_.size() != width_)
       throw InputError(fmt::format(
-          "{}: row '{}' has {} cells, the {} has {}; every row needs all columns, and numbers a decimal "
-          "point, not a comma",
-          where(), lines_.line().substr(0, 120), cells_.size(), names_.empty() ? "first row" : "header",
-          width_));
+          "{}: row '{}' has {} cells between {}, the {} has {}; every row needs all columns, divided alike, "
+          "and numbers a decimal point, not a comma",
+          where(), lines_.line().substr(0, 120), cells_.size(), delimiter_name(delimiter_),
+          names_.empty() ? "first row" : "header", width_));
     return true;
   }
   return false;
