@@ -194,6 +194,19 @@ TEST(Tables, ADelimiterAtTheEndOfRowsOrOfTheHeaderIsNoCell) {
   expect_says(refusal("id,x,y,z,r\n1,0,0,0\n"), {"p.txt:2:", "4 cells"});
 }
 
+/// A row that begins with an error of a spreadsheet would be a comment, and its particle gone.
+TEST(Tables, ErrorsOfSpreadsheetsAreCells) {
+  for (const char* error : {"#N/A", "#DIV/0!", "#NAME?", "#WERT!", "#NV"}) {
+    EXPECT_EQ(read_as("a.csv", "T,x,y,z,r\n300,0,0,0,1\n" + std::string(error) + ",0,0,3,1\n").size(), 2u)
+        << error;
+    expect_says(refusal("x;y;z;r\n0;0;0;1\n" + std::string(error) + ";0;3;1\n"),
+                {"p.txt:3:", "'x' is", error});
+  }
+  for (const char* comment : {"#NOTE: a row", "#0,0,9,1", "#NEW! a packing", "#N"})
+    EXPECT_EQ(read_as("a.csv", "x,y,z,r\n0,0,0,1\n" + std::string(comment) + "\n0,0,3,1\n").size(), 2u)
+        << comment;
+}
+
 TEST(Tables, TheNameOfAFileSaysWhetherItsTextHoldsDiameters) {
   EXPECT_EQ(read_as("a.xyzd", "0 0 0 1\n0 0 3 1\n").radius[0], 0.5);
   EXPECT_EQ(read_as("a.xyzr", "0 0 0 1\n0 0 3 1\n").radius[0], 1);

@@ -120,6 +120,21 @@ std::string delimiter_name(char delimiter) {
   return place == std::string_view::npos ? in_quotes({&delimiter, 1}) : names[place];
 }
 
+/// What spreadsheets put into a cell that they cannot compute, as in "#DIV/0!" or "#NAME?": capitals between
+/// a number sign and a mark, in any language. A row that begins with one is no comment.
+bool begins_with_error(std::string_view line) noexcept {
+  const std::size_t end = std::min(line.find_first_of(",;\t "), line.size());
+  if (end < line.size() && line[end] == ' ') return false;  // prose
+  const std::string_view cell = line.substr(0, end);
+  if (cell == "#N/A" || cell == "#NV") return true;
+  if (cell.size() < 4 || (cell.back() != '!' && cell.back() != '?')) return false;
+  const std::string_view word = cell.substr(1, cell.size() - 2);
+  return std::all_of(word.begin(), word.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return std::isupper(byte) || std::isdigit(byte) || byte >= 0x80 || c == '/' || c == '_';
+  });
+}
+
 bool all_blank(const std::vector<std::string_view>& cells) {
   return std::all_of(cells.begin(), cells.end(), [](auto cell) { return cell.empty(); });
 }
@@ -163,7 +178,7 @@ char stated_delimiter(std::string_view line) noexcept {
 
 bool is_comment_or_blank(std::string_view line) noexcept {
   line = trimmed(line);
-  return line.empty() || line.front() == '#' || line.front() == '%';
+  return line.empty() || line.front() == '%' || (line.front() == '#' && !begins_with_error(line));
 }
 
 HeaderRule header_of(std::vector<std::string> columns, std::size_t least) {

@@ -23,7 +23,8 @@ bool split_cells(std::string_view line, char delimiter, std::vector<std::string_
 /// The delimiter that spreadsheets state in a line of its own, as in "sep=;"; NUL in other lines.
 [[nodiscard]] char stated_delimiter(std::string_view line) noexcept;
 
-/// True for a line that says nothing to a table: blank, or a comment (`#` or `%`).
+/// True for a line that says nothing to a table: blank, or a comment (`#` or `%`). What spreadsheets put into
+/// a cell that they cannot compute begins none ("#N/A,1,2").
 [[nodiscard]] bool is_comment_or_blank(std::string_view line) noexcept;
 
 /// Lower case of ASCII letters.
