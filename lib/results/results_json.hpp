@@ -20,7 +20,8 @@ constexpr int results_schema_version = 1;
 [[nodiscard]] std::string run_json(const RunRecord& record);
 
 /// Reads a results.json; unknown keys are left alone, missing ones are empty. Throws InputError for anything
-/// that is not such a file or has another version.
+/// that is not such a file, has another version, or holds what was never measured: a negative time or error,
+/// a status that there is not, two rows of one method.
 [[nodiscard]] BenchReport read_results_json(const std::string& path);
 /// The same for a run.json.
 [[nodiscard]] RunRecord read_run_json(const std::string& path);

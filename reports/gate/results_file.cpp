@@ -48,9 +48,6 @@ MeasuredRow row_of(const JsonObject& json) {
   const std::string spec = json.text("spec");
   row.spec = !spec.empty() ? spec : params.empty() ? row.integrator : row.integrator + ":" + params;
   row.status = required(json, "status");
-  for (const char* counter : counter_columns) (void)json.number(counter);  // another type is an error
-  for (const char* error : error_columns)
-    for (const char* field : {"", "_potential"}) (void)json.number(std::string(error) + field);
   for (const auto& [key, value] : json.json().items())
     if (value.is_number()) row.numbers[key] = value.get<double>();
   row.cpu_stepping = times_of(json, "cpu_stepping_samples_s");
@@ -59,6 +56,7 @@ MeasuredRow row_of(const JsonObject& json) {
 }
 
 ResultsFile read_from(const std::string& path) {
+  (void)read_results_json(path);  // refuses what bench cannot have written
   const auto parsed = parse_results(path, schema_of_results, results_schema_version);
   const JsonObject json(path, parsed);
   ResultsFile file;
@@ -80,8 +78,6 @@ ResultsFile read_from(const std::string& path) {
   if (!json.find("cases")) json.reject("cases", "it must list what was measured");
   for (const auto& entry : json.objects("cases")) {
     MeasuredCase one{required(entry, "case"), required(entry, "baseline"), {}};
-    if (file.find(one.name))
-      entry.reject("case", "another case of this file has the same name, and results go by it");
     if (!entry.find("rows")) entry.reject("rows", "it must list the methods");
     for (const auto& object : entry.objects("rows"))
       if (MeasuredRow row = row_of(object); was_reached(object, row, file.interrupted))

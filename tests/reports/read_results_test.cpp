@@ -8,6 +8,8 @@
 #include "results/read_motion.hpp"
 #include "results/results_json.hpp"
 #include "results/study/read_work_precision.hpp"
+#include "results/text/csv_table.hpp"
+#include "results/text/csv_text.hpp"
 #include "sample_report.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -111,6 +113,39 @@ TEST(ReadWorkPrecision, GivesBackWhatWasWritten) {
   EXPECT_EQ(work_precision_csv(read), text);
   EXPECT_EQ(read.points[0].family, study.points[0].family);
   EXPECT_NEAR(read.span, 10, 1e-12);  // a quotient of two rounded numbers
+}
+
+/// Winners are found from what stands there: an error that is missing must not be 0, nor a time below it.
+TEST(ReadWorkPrecision, RefusesWhatWasNeverMeasured) {
+  const TemporaryFolder folder;
+  const std::string good = work_precision_csv(test::sample_study());
+  const auto with_cell = [&](std::size_t row, std::string_view column, const std::string& value) {
+    const CsvTable table(folder.write("good.csv", good));
+    std::string out;
+    for (const auto& name : table.columns()) out += (out.empty() ? "" : ",") + csv_cell(name);
+    out += "\n";
+    for (std::size_t k = 0; k < table.rows(); ++k) {
+      for (std::size_t c = 0; c < table.columns().size(); ++c)
+        out +=
+            (c > 0 ? "," : "") + csv_cell(k == row && c == table.column(column) ? value : table.text(k, c));
+      out += "\n";
+    }
+    return out;
+  };
+  const auto refuses = [&](const std::string& text) {
+    const auto file = folder.write("work_precision.csv", text);
+    return !message_of<InputError>([&] { (void)read_work_precision_csv(file); }).empty();
+  };
+  ASSERT_TRUE(test::sample_study().points[0].ok());
+  EXPECT_FALSE(refuses(with_cell(0, "reason", "none")));
+  for (const char* column : {"cpu_s", "error_worst", "error_worst_relative"}) {
+    EXPECT_TRUE(refuses(with_cell(0, column, ""))) << column;
+    EXPECT_TRUE(refuses(with_cell(0, column, "-5"))) << column;
+  }
+  EXPECT_TRUE(refuses(with_cell(0, "status", "okay")));
+  EXPECT_TRUE(refuses(with_cell(1, "case", "another")));
+  const auto first = good.find('\n') + 1;
+  EXPECT_TRUE(refuses(good + good.substr(first, good.find('\n', first) + 1 - first))) << "a method twice";
 }
 
 }  // namespace

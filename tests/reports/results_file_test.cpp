@@ -1,9 +1,13 @@
 #include "reports/gate/results_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "results/results_json.hpp"
+#include "sample_report.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace superstep {
@@ -65,6 +69,52 @@ TEST(ResultsFile, LeavesOutWhatTheInterruptCameBefore) {
   const auto file = read_results(path);
   EXPECT_TRUE(file.interrupted);
   EXPECT_EQ(file.cases[0].rows.size(), 1U);
+}
+
+/// What a comparison, the gate and the report go by: none of them judges a file that no benchmark wrote.
+TEST(ResultsFile, RefusesWhatWasNeverMeasured) {
+  using Json = nlohmann::ordered_json;
+  const test::TemporaryFolder folder;
+  const std::string good = results_json(test::sample_report());
+  const auto path = folder.write("results.json", good);
+  EXPECT_NO_THROW((void)read_results(path));
+  EXPECT_NO_THROW((void)read_results_json(path));
+  const auto expect_refused = [&](const std::string& key, const auto& garble) {
+    Json json = Json::parse(good);
+    garble(json["cases"][0]);
+    folder.write("results.json", json.dump());
+    const auto by_gate = test::message_of<InputError>([&] { (void)read_results(path); });
+    const auto by_report = test::message_of<InputError>([&] { (void)read_results_json(path); });
+    EXPECT_NE(by_gate.find("key 'cases[0]." + key), std::string::npos) << by_gate;
+    EXPECT_EQ(by_report, by_gate);
+  };
+  const auto in_row = [&](const char* key, const Json& value) {
+    expect_refused(fmt::format("rows[0].{}'", key), [&](Json& one) { one["rows"][0][key] = value; });
+  };
+  for (const char* counter : {"steps", "rejected", "rhs", "solves", "nodes", "max_stages", "instructions"}) {
+    in_row(counter, -5);
+    in_row(counter, 1.5);
+    in_row(counter, 1e300);
+  }
+  for (const char* amount : {"error_rms", "error_max_potential", "reference_error", "span",
+                             "speedup_stepping", "cpu_prepare_s", "peak_memory_mb", "t_end"})
+    in_row(amount, -1e-3);
+  in_row("cpu_stepping_samples_s", {0.25, -0.25});
+  for (const Json& status : {Json("okay"), Json(""), Json()}) in_row("status", status);
+  in_row("spec", "exponential:rtol=9");
+  in_row("case", "another");
+  expect_refused("output_times'", [](Json& one) { one["output_times"] = {-1.0, 1.0}; });
+  expect_refused("rows[0].spread.cpu_stepping_s.min'",
+                 [](Json& one) { one["rows"][0]["spread"]["cpu_stepping_s"]["min"] = -1; });
+  expect_refused("rows[", [](Json& one) {
+    one["rows"].push_back(one["rows"][0]);
+    one["rows"].back()["steps"] = 1;
+  });
+  Json twice = Json::parse(good);
+  twice["cases"].push_back(twice["cases"][0]);
+  folder.write("results.json", twice.dump());
+  EXPECT_THROW((void)read_results(path), InputError);
+  EXPECT_THROW((void)read_results_json(path), InputError);
 }
 
 TEST(ResultsFile, RefusesWhatIsNoResult) {

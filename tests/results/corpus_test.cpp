@@ -138,6 +138,22 @@ TEST(CorpusCsv, NamesABrokenCell) {
   EXPECT_THROW((void)read_corpus_csv(folder.file("corpus.csv")), InputError);
 }
 
+TEST(CorpusCsv, RefusesWhatWasNeverMeasured) {
+  test::TemporaryFolder folder;
+  const auto refuses = [&](const auto& garble) {
+    auto rows = sample_rows();
+    garble(rows);
+    const auto file = folder.write("corpus.csv", corpus_csv(rows));
+    return !test::message_of<InputError>([&] { (void)read_corpus_csv(file); }).empty();
+  };
+  using Rows = std::vector<CorpusRow>;
+  EXPECT_FALSE(refuses([](Rows&) {}));
+  EXPECT_TRUE(refuses([](Rows& rows) { rows[0].cpu = -5; }));
+  EXPECT_TRUE(refuses([](Rows& rows) { rows[0].error = -5; }));
+  EXPECT_TRUE(refuses([](Rows& rows) { rows[0].status = "okay"; }));
+  EXPECT_TRUE(refuses([](Rows& rows) { rows.push_back(rows[0]); })) << "a method twice on one scene";
+}
+
 TEST(CorpusTables, KeepWhatFailed) {
   auto rows = sample_rows();
   rows.push_back(rows[0]);

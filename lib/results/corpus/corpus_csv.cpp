@@ -1,5 +1,10 @@
 #include "results/corpus/corpus_csv.hpp"
 
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
 #include "results/schema/corpus_fields.hpp"
 #include "results/schema/record_csv.hpp"
 
@@ -18,9 +23,13 @@ std::vector<CorpusRow> read_corpus_csv(const std::string& path) {
   for (const char* needed : {"scene", "class", "integrator", "params", "status", "cpu_s", "error"})
     (void)table.column(needed);
   std::vector<CorpusRow> rows;
+  std::set<std::pair<std::string, std::string>> measured;
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const Json json = json_of_row(columns, table, k);
-    read_record(columns, rows.emplace_back(), JsonObject(path, json, "row " + std::to_string(k + 1)));
+    CorpusRow& row = rows.emplace_back();
+    read_record(columns, row, JsonObject(path, json, "row " + std::to_string(k + 1)));
+    if (!measured.emplace(row.scene, row.spec).second)
+      table.reject(k, fmt::format("an earlier row is of {} on {}, too", row.spec, row.scene));
   }
   return rows;
 }

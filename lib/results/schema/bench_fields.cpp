@@ -15,14 +15,14 @@ using Errors = RecordField<FieldErrors>;
 
 RecordFields<FieldErrors> first_errors() {
   return {
-      field(
-          "error_probe_mean", &FieldErrors::probe_mean,
-          "K or V; mean difference to the reference at the first probe, over the step ends of the transient"),
-      field("error_rms", &FieldErrors::rms, "K or V; over free nodes, worst output time"),
-      field("error_max", &FieldErrors::max, "K or V; over free nodes, worst output time"),
-      field("error_relative_rms", &FieldErrors::relative_rms, "error_rms over the span of the field"),
-      field("overshoot", &FieldErrors::overshoot,
-            "K or V; how far a value leaves the range that the maximum principle allows"),
+      amount("error_probe_mean", &FieldErrors::probe_mean,
+             "K or V; mean difference to the reference at the first probe, over the step ends of "
+             "the transient"),
+      amount("error_rms", &FieldErrors::rms, "K or V; over free nodes, worst output time"),
+      amount("error_max", &FieldErrors::max, "K or V; over free nodes, worst output time"),
+      amount("error_relative_rms", &FieldErrors::relative_rms, "error_rms over the span of the field"),
+      amount("overshoot", &FieldErrors::overshoot,
+             "K or V; how far a value leaves the range that the maximum principle allows"),
       field("balance", &FieldErrors::balance, "(heat entered - heat stored) / heat entered"),
       field("decay_rate", &FieldErrors::decay_rate,
             "1/s; k of the fit Z exp(-k t) to the error at the probe"),
@@ -31,24 +31,24 @@ RecordFields<FieldErrors> first_errors() {
 }
 
 Errors reference_error() {
-  return field("reference_error", &FieldErrors::reference_error,
-               "K or V; error bar of the reference, rms; errors below it are its own");
+  return amount("reference_error", &FieldErrors::reference_error,
+                "K or V; error bar of the reference, rms; errors below it are its own");
 }
 
 RecordFields<FieldErrors> later_errors() {
   return {
-      field("error_as_published", &FieldErrors::published_mean,
-            "K or V; mean difference at the first probe by the rule of the published table"),
+      amount("error_as_published", &FieldErrors::published_mean,
+             "K or V; mean difference at the first probe by the rule of the published table"),
       field("decay_rate_as_published", &FieldErrors::published_rate,
             "1/s; k = -slope ln 10 of the fit to those differences, over the whole window"),
       field("decay_r2_as_published", &FieldErrors::published_r2, "R2 of that fit"),
-      field("span", &FieldErrors::span,
-            "K or V; largest minus smallest value of the field over all nodes and the whole run"),
-      field("delivered", &FieldErrors::delivered,
-            "error_rms over what was asked for, rtol times the span; empty for fixed steps, and where the "
-            "reference cannot tell"),
-      field("distance_to_cvode", &FieldErrors::distance_to_cvode,
-            "rms distance to CVODE over the span, worst over the output times"),
+      amount("span", &FieldErrors::span,
+             "K or V; largest minus smallest value of the field over all nodes and the whole run"),
+      amount("delivered", &FieldErrors::delivered,
+             "error_rms over what was asked for, rtol times the span; empty for fixed steps, and where the "
+             "reference cannot tell"),
+      amount("distance_to_cvode", &FieldErrors::distance_to_cvode,
+             "rms distance to CVODE over the span, worst over the output times"),
   };
 }
 
@@ -71,6 +71,7 @@ RecordField<BenchRow> of_potential(const Errors& one) {
             const Json renamed = {{one.name, *value}};
             if (!row.potential) row.potential.emplace();
             (void)json.number(name);  // names the key where it is not a number
+            if (one.schema.contains("minimum")) json.require_not_negative(name);
             one.read(*row.potential, JsonObject({}, renamed));
           },
           /*always=*/false};
@@ -94,11 +95,13 @@ std::vector<RecordField<BenchRow>> work_columns() {
       field("case", &BenchRow::case_name, "stem of the case file"),
       field("integrator", &BenchRow::integrator, "SPEC before the colon"),
       params,
-      field("status", &BenchRow::status, "ok, inaccurate, unstable, failed, refused, timeout or interrupted"),
+      one_of(field("status", &BenchRow::status,
+                   "ok, inaccurate, unstable, failed, refused, timeout or interrupted"),
+             statuses()),
       field("reason", &BenchRow::reason, "why it is not ok, and what helps"),
       field("nodes", &BenchRow::nodes, "of the network, fixed nodes included"),
       field("contacts", &BenchRow::contacts, "of the network"),
-      field("t_end", &BenchRow::t_end, "s; simulated time"),
+      amount("t_end", &BenchRow::t_end, "s; simulated time"),
       field("repetitions", &BenchRow::repetitions, "timed runs"),
       field("threads", &BenchRow::threads, "threads that were allowed"),
       derived<BenchRow>("cpu_total_s", median(&BenchRow::cpu_total),
@@ -107,10 +110,10 @@ std::vector<RecordField<BenchRow>> work_columns() {
                         "s; process CPU time of the integration alone, median"),
       derived<BenchRow>("wall_stepping_s", median(&BenchRow::wall_stepping),
                         "s; wall time of the integration alone, median"),
-      field("speedup_total", &BenchRow::speedup_total, "CPU time of the baseline over that of the row"),
-      field("speedup_stepping", &BenchRow::speedup_stepping, "the same, of the integration alone"),
-      field("speedup_theory", &BenchRow::speedup_theory,
-            "simulated time per sweep over that of the baseline, for methods with a fixed step"),
+      amount("speedup_total", &BenchRow::speedup_total, "CPU time of the baseline over that of the row"),
+      amount("speedup_stepping", &BenchRow::speedup_stepping, "the same, of the integration alone"),
+      amount("speedup_theory", &BenchRow::speedup_theory,
+             "simulated time per sweep over that of the baseline, for methods with a fixed step"),
       field("steps", &BenchRow::steps, "accepted steps (supersteps for STS)"),
       field("rejected", &BenchRow::rejected, "rejected steps"),
       field("rhs", &BenchRow::rhs, "sweeps over the network, fused or not, preparation included"),
@@ -118,11 +121,17 @@ std::vector<RecordField<BenchRow>> work_columns() {
       field("factorizations", &BenchRow::factorizations, "factorizations"),
       field("solves", &BenchRow::solves, "linear solves"),
       field("max_stages", &BenchRow::max_stages, "most sweeps in one step"),
-      field("peak_memory_mb", &BenchRow::peak_memory_mb, "1e6 bytes; largest resident set while it ran"),
+      amount("peak_memory_mb", &BenchRow::peak_memory_mb, "1e6 bytes; largest resident set while it ran"),
   };
 }
 
 }  // namespace
+
+const std::vector<std::string>& statuses() {
+  static const std::vector<std::string> all = {"ok",      "inaccurate", "unstable",   "failed",
+                                               "refused", "timeout",    "interrupted"};
+  return all;
+}
 
 bool any_potential(std::span<const BenchCase> cases) {
   return std::any_of(cases.begin(), cases.end(), [](const BenchCase& one) {
@@ -143,23 +152,23 @@ RecordFields<BenchRow> bench_columns(bool potential) {
   for (const auto& one : later_errors()) columns.push_back(of_main_field(one));
   if (potential)
     for (const auto& one : later_errors()) columns.push_back(of_potential(one));
-  columns.push_back(field("cpu_prepare_s", &BenchRow::cpu_prepare,
-                          "s; before the first step: spectrum, factorization, choice; median"));
-  columns.push_back(field("speedup_prepared", &BenchRow::speedup_prepared,
-                          "preparation and stepping together, against the baseline"));
-  columns.push_back(field("cpu_pilot_s", &BenchRow::cpu_pilot,
-                          "s; of the run that found the spans; empty where none was needed"));
-  columns.push_back(field(
+  columns.push_back(amount("cpu_prepare_s", &BenchRow::cpu_prepare,
+                           "s; before the first step: spectrum, factorization, choice; median"));
+  columns.push_back(amount("speedup_prepared", &BenchRow::speedup_prepared,
+                           "preparation and stepping together, against the baseline"));
+  columns.push_back(amount("cpu_pilot_s", &BenchRow::cpu_pilot,
+                           "s; of the run that found the spans; empty where none was needed"));
+  columns.push_back(amount(
       "error_bound", &BenchRow::error_bound,
       "bound of the error over the span, rms: proven but for roundings; empty where a method has none"));
-  columns.push_back(field("cpu_verify_s", &BenchRow::cpu_verify,
-                          "s; of the runs by which a method checked itself; empty where it did not"));
+  columns.push_back(amount("cpu_verify_s", &BenchRow::cpu_verify,
+                           "s; of the runs by which a method checked itself; empty where it did not"));
   columns.push_back(field("processes", &BenchRow::processes, "processes that took part"));
   columns.push_back(field("instructions", &BenchRow::instructions,
                           "executed between start and end of the integration, counted by callgrind; empty "
                           "without --instructions"));
-  columns.push_back(field("rounding_bound", &BenchRow::rounding_bound,
-                          "the part of error_bound that is rounding, by a model"));
+  columns.push_back(amount("rounding_bound", &BenchRow::rounding_bound,
+                           "the part of error_bound that is rounding, by a model"));
   return columns;
 }
 
@@ -192,8 +201,8 @@ const RecordFields<SampledMeasure>& fields_of<SampledMeasure>() {
 
 template <>
 const RecordFields<Timing>& fields_of<Timing>() {
-  static const RecordFields<Timing> fields{field("median", &Timing::median), field("min", &Timing::min),
-                                           field("max", &Timing::max)};
+  static const RecordFields<Timing> fields{amount("median", &Timing::median), amount("min", &Timing::min),
+                                           amount("max", &Timing::max)};
   return fields;
 }
 
@@ -201,7 +210,7 @@ template <>
 const RecordFields<ReferenceFacts>& fields_of<ReferenceFacts>() {
   static const RecordFields<ReferenceFacts> fields{
       field("spec", &ReferenceFacts::spec), field("from_cache", &ReferenceFacts::from_cache),
-      field("cpu_s", &ReferenceFacts::cpu_seconds, "s; 0 from the cache")};
+      amount("cpu_s", &ReferenceFacts::cpu_seconds, "s; 0 from the cache")};
   return fields;
 }
 
@@ -226,9 +235,9 @@ const RecordFields<BenchRow>& fields_of<BenchRow>() {
          field("wall_stepping_s", &BenchRow::wall_stepping)},
         "s; of the repetitions"));
     all.push_back(
-        field("cpu_stepping_samples_s", &BenchRow::cpu_stepping_samples, "s; in the order of the rounds"));
+        amount("cpu_stepping_samples_s", &BenchRow::cpu_stepping_samples, "s; in the order of the rounds"));
     all.push_back(
-        field("yardstick_samples_s", &BenchRow::yardstick_samples, "s; a fixed piece of work around each"));
+        amount("yardstick_samples_s", &BenchRow::yardstick_samples, "s; a fixed piece of work around each"));
     return all;
   }();
   return fields;
@@ -243,12 +252,12 @@ const RecordFields<BenchCase>& fields_of<BenchCase>() {
       field("nodes", &BenchCase::nodes),
       field("contacts", &BenchCase::contacts),
       field("unknowns", &BenchCase::unknowns, "entries of the state"),
-      field("t_end", &BenchCase::t_end, "s"),
-      field("output_times", &BenchCase::output_times, "s"),
+      amount("t_end", &BenchCase::t_end, "s"),
+      amount("output_times", &BenchCase::output_times, "s"),
       field("error_unit", &BenchCase::unit, "K or V, of the main error columns"),
       field("baseline", &BenchCase::baseline, "SPEC that speedups refer to"),
-      field("cpu_setup_s", &BenchCase::cpu_setup,
-            "s; CPU time of reading and building the scene, part of every cpu_total_s"),
+      amount("cpu_setup_s", &BenchCase::cpu_setup,
+             "s; CPU time of reading and building the scene, part of every cpu_total_s"),
       field("reference", &BenchCase::reference),
       derived<BenchCase>("reference_from_cache",
                          [](const BenchCase& one) { return one.reference && one.reference->from_cache; }),

@@ -8,6 +8,8 @@ namespace superstep {
 /// Columns of results.csv, in their order, which are the first keys of a row of results.json.
 ///   potential  with those of a second field, whose names end in `_potential`
 [[nodiscard]] RecordFields<BenchRow> bench_columns(bool potential);
+/// What a row or a run may have for a status.
+[[nodiscard]] const std::vector<std::string>& statuses();
 /// True when any row has two fields.
 [[nodiscard]] bool any_potential(std::span<const BenchCase> cases);
 

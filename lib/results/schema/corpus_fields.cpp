@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/text/number.hpp"
 #include "core/text/options.hpp"
+#include "results/schema/bench_fields.hpp"
 
 namespace superstep {
 namespace {
@@ -79,33 +80,33 @@ const RecordFields<CorpusRow>& fields_of<CorpusRow>() {
       field("class", &CorpusRow::scene_class, "what the scene is about"),
       field("kind", &CorpusRow::kind, "of its network"),
       field("unknowns", &CorpusRow::unknowns, "entries of the state"),
-      field("stiffness", &CorpusRow::stiffness, "t_end times the spectral radius at the start"),
-      field("contrast", &CorpusRow::contrast,
-            "largest over smallest rate of exchange, as the case states it"),
+      amount("stiffness", &CorpusRow::stiffness, "t_end times the spectral radius at the start"),
+      amount("contrast", &CorpusRow::contrast,
+             "largest over smallest rate of exchange, as the case states it"),
       field("integrator", &CorpusRow::integrator, "SPEC before the colon"),
       params_field(),
-      field("status", &CorpusRow::status, "as in results.csv"),
+      one_of(field("status", &CorpusRow::status, "as in results.csv"), statuses()),
       field("reason", &CorpusRow::reason, "why it is not ok"),
-      field("cpu_s", &CorpusRow::cpu, "s; CPU time of preparing and stepping, median of the samples"),
-      field("cpu_prepare_s", &CorpusRow::cpu_prepare, "s; of that before the first step"),
+      amount("cpu_s", &CorpusRow::cpu, "s; CPU time of preparing and stepping, median of the samples"),
+      amount("cpu_prepare_s", &CorpusRow::cpu_prepare, "s; of that before the first step"),
       samples_field(),
       field("memory_mb", &CorpusRow::memory, "MB that the run added to the memory in use"),
-      field("error", &CorpusRow::error,
-            "rms error over the span of the field, worst of the fields and output times"),
+      amount("error", &CorpusRow::error,
+             "rms error over the span of the field, worst of the fields and output times"),
       field("sweeps", &CorpusRow::sweeps, "passes over the network"),
       field("steps", &CorpusRow::steps, "accepted steps"),
       field("reference", &CorpusRow::reference, "SPEC that errors are measured against"),
-      field("reference_error", &CorpusRow::reference_error, "its error bar over the span"),
+      amount("reference_error", &CorpusRow::reference_error, "its error bar over the span"),
       field("threads", &CorpusRow::threads, "threads that were allowed"),
-      field("time_limit_s", &CorpusRow::time_limit, "s; CPU time that a run was allowed"),
+      amount("time_limit_s", &CorpusRow::time_limit, "s; CPU time that a run was allowed"),
       field("choice", &CorpusRow::choice, "what the method chose by itself"),
       field("processor", &CorpusRow::processor, "that it was measured on"),
       field("revision", &CorpusRow::revision, "of the program"),
       field("key", &CorpusRow::key, "names scene, build and machine"),
       physics_field(),
-      field("pieces", &CorpusRow::pieces, "between the breakpoints of its inputs"),
-      field("shapes", &CorpusRow::shapes, "of the inputs that change in time"),
-      field("output_decades", &CorpusRow::output_decades, "between the first output and the last"),
+      amount("pieces", &CorpusRow::pieces, "between the breakpoints of its inputs"),
+      amount("shapes", &CorpusRow::shapes, "of the inputs that change in time"),
+      amount("output_decades", &CorpusRow::output_decades, "between the first output and the last"),
       field("nonzeros", &CorpusRow::nonzeros, "of the fields' matrices off their diagonals"),
   };
   return fields;

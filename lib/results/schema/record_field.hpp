@@ -171,6 +171,31 @@ template <class Record, class Value>
           }};
 }
 
+/// The same of a number, or of numbers, of which none is negative: a file that has one was not measured.
+template <class Record, class Value>
+[[nodiscard]] RecordField<Record> amount(std::string name, Value Record::*member, std::string meaning = {}) {
+  auto out = field(std::move(name), member, std::move(meaning));
+  Json& number = out.schema.contains("items") ? out.schema["items"] : out.schema;
+  number["minimum"] = 0;
+  out.read = [name = out.name, read = std::move(out.read)](Record& record, const JsonObject& json) {
+    json.require_not_negative(name);
+    read(record, json);
+  };
+  return out;
+}
+
+/// A text that is one of `known`.
+template <class Record>
+[[nodiscard]] RecordField<Record> one_of(RecordField<Record> one, std::vector<std::string> known) {
+  one.schema["enum"] = known;
+  one.read = [name = one.name, read = std::move(one.read), known = std::move(known)](Record& record,
+                                                                                     const JsonObject& json) {
+    json.require_one_of(name, known);
+    read(record, json);
+  };
+  return one;
+}
+
 /// A field that follows from others: written, not read.
 ///   Value  the type of what `of` gives
 template <class Record, class Function>

@@ -1,6 +1,9 @@
 #include "results/text/json_object.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
@@ -110,6 +113,23 @@ std::vector<std::string> JsonObject::texts(const std::string& key) const {
     out.push_back(value.get<std::string>());
   }
   return out;
+}
+
+void JsonObject::require_not_negative(const std::string& key) const {
+  const Json* value = find(key);
+  if (!value) return;
+  const auto negative = [](const Json& one) { return one.is_number() && one.get<double>() < 0; };
+  if (negative(*value)) reject(key, "it must not be negative");
+  if (!value->is_array()) return;
+  for (const auto& one : *value)
+    if (negative(one))
+      reject(key, fmt::format("its entries must not be negative, and one is {}", shown(one)));
+}
+
+void JsonObject::require_one_of(const std::string& key, const std::vector<std::string>& known) const {
+  const std::string found = text(key);
+  if (std::find(known.begin(), known.end(), found) == known.end())
+    reject(key, fmt::format("it must be one of {}", fmt::join(known, ", ")));
 }
 
 std::optional<JsonObject> JsonObject::object(const std::string& key) const {

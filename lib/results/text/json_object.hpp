@@ -39,6 +39,11 @@ class JsonObject {
   [[nodiscard]] std::optional<JsonObject> object(const std::string& key) const;
   [[nodiscard]] std::vector<JsonObject> objects(const std::string& key) const;
 
+  /// Refuses a number below 0, in an array too. What is no number is left to its reader.
+  void require_not_negative(const std::string& key) const;
+  /// Refuses any other text, and none.
+  void require_one_of(const std::string& key, const std::vector<std::string>& known) const;
+
   [[nodiscard]] const Json& json() const noexcept { return *json_; }
   /// Throws InputError "file: key 'path.key' is value; rule; write the file anew".
   [[noreturn]] void reject(const std::string& key, const std::string& rule) const;
