@@ -115,6 +115,9 @@ BenchRow row_of(const BenchCase& one, const Lane& lane, const HarnessOptions& op
   row.steps = bridge.steps();
   row.rejected = bridge.rejected();
   row.rhs = bridge.sweeps();
+  row.jacobians = bridge.jacobians();
+  row.factorizations = bridge.factorizations();
+  row.solves = bridge.solves();
   row.max_stages = static_cast<std::uint64_t>(bridge.max_stages());
   return row;
 }

@@ -106,6 +106,7 @@ Outcome Stretches::run(double h, std::span<double> values) {
   steps_ += statistics.steps;
   rejected_ += statistics.rejected;
   factorizations_ += statistics.factorizations;
+  solves_ += statistics.solves;
   max_stages_ = std::max(max_stages_, statistics.max_stages);
   if (outcome.ok()) std::ranges::copy(integrator_->state(), values.begin());
   return outcome;
@@ -119,7 +120,7 @@ Outcome Stretches::advance(double h, std::span<double> values, double span, doub
     return {};
   }
   const double begin = process_cpu_seconds();
-  const std::uint64_t sweeps = rhs_->counters().sweeps;
+  const RhsCounters before = rhs_->counters();
   Outcome outcome;
   try {
     const FieldRange range = range_of(network, values);
@@ -131,7 +132,9 @@ Outcome Stretches::advance(double h, std::span<double> values, double span, doub
   } catch (const std::runtime_error& error) {  // of a factorization, say
     outcome = {Status::failed, error.what()};
   }
-  sweeps_ += rhs_->counters().sweeps - sweeps;
+  const RhsCounters work = difference(rhs_->counters(), before);
+  sweeps_ += work.sweeps;
+  jacobians_ += work.jacobians;
   cpu_stepping_ += process_cpu_seconds() - begin;
   if (!outcome.ok()) {
     integrator_.reset();  // whatever state it is in

@@ -40,7 +40,9 @@ class Stretches {
   [[nodiscard]] std::uint64_t sweeps() const noexcept { return sweeps_; }
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }
   [[nodiscard]] std::uint64_t rejected() const noexcept { return rejected_; }
+  [[nodiscard]] std::uint64_t jacobians() const noexcept { return jacobians_; }
   [[nodiscard]] std::uint64_t factorizations() const noexcept { return factorizations_; }
+  [[nodiscard]] std::uint64_t solves() const noexcept { return solves_; }
   [[nodiscard]] std::uint64_t preparations() const noexcept { return preparations_; }
   [[nodiscard]] int max_stages() const noexcept { return max_stages_; }
   [[nodiscard]] double cpu_building() const noexcept { return cpu_building_; }  ///< of right-hand sides [s]
@@ -60,7 +62,8 @@ class Stretches {
   double h_ = 0, span_ = 0, rtol_now_ = 0;  // that it is prepared for
   FieldRange range_;
   const std::atomic<bool>* stop_ = nullptr;  // the same
-  std::uint64_t sweeps_ = 0, steps_ = 0, rejected_ = 0, factorizations_ = 0, preparations_ = 0;
+  std::uint64_t sweeps_ = 0, steps_ = 0, rejected_ = 0, jacobians_ = 0, factorizations_ = 0, solves_ = 0,
+                preparations_ = 0;
   int max_stages_ = 0;
   double cpu_building_ = 0, cpu_stepping_ = 0;
 };

@@ -29,6 +29,9 @@ class ThermalBridge {
   [[nodiscard]] std::uint64_t sweeps() const noexcept { return stretches_.sweeps(); }
   [[nodiscard]] std::uint64_t steps() const noexcept { return stretches_.steps(); }
   [[nodiscard]] std::uint64_t rejected() const noexcept { return stretches_.rejected(); }
+  [[nodiscard]] std::uint64_t jacobians() const noexcept { return stretches_.jacobians(); }
+  [[nodiscard]] std::uint64_t factorizations() const noexcept { return stretches_.factorizations(); }
+  [[nodiscard]] std::uint64_t solves() const noexcept { return stretches_.solves(); }
   [[nodiscard]] int max_stages() const noexcept { return stretches_.max_stages(); }
   /// Of the networks and their right-hand sides [s].
   [[nodiscard]] double cpu_building() const noexcept { return cpu_freezing_ + stretches_.cpu_building(); }

@@ -71,10 +71,9 @@ std::vector<char> CurrentField::reachable(const Placement& placement, const Elec
 }
 
 void CurrentField::solve(std::span<double> x, Values values) {
-  if (values == Values::solve)
-    laplacian_.solve(edges_, fixed_, x);
-  else
-    laplacian_.find_reached(edges_, fixed_);
+  if (values == Values::given) return laplacian_.find_reached(edges_, fixed_);
+  laplacian_.solve(edges_, fixed_, x);
+  if (law_.model == CurrentModel::potential) ++potential_solves_;
 }
 
 // J_i = sum_j A_ij J_j / sum_j A_ij, and J of the wall where a particle touches an electrified one (of two,

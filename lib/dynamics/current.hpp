@@ -1,6 +1,7 @@
 #pragma once
 /// Steady current through the particles, and the heat that it leaves behind.
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -56,6 +57,8 @@ class CurrentField {
   /// Particles that a path of contacts joins to an electrified wall: whether each of them is, and how many.
   [[nodiscard]] std::span<const char> carrying() const noexcept { return carrying_; }
   [[nodiscard]] std::size_t connected() const noexcept { return connected_; }
+  /// Systems of potentials solved so far.
+  [[nodiscard]] std::uint64_t potential_solves() const noexcept { return potential_solves_; }
   /// The same at any placement, without solving for anything.
   [[nodiscard]] std::vector<char> reachable(const Placement& placement, const Electrodes& electrodes) const;
 
@@ -83,6 +86,7 @@ class CurrentField {
   std::vector<char> fixed_, carrying_;
   std::vector<double> depth_, values_, before_, change_before_, heat_;
   std::size_t connected_ = 0;
+  std::uint64_t potential_solves_ = 0;
 };
 
 }  // namespace superstep::dynamics

@@ -71,6 +71,27 @@ TEST_F(PressFiles, ARestartAtAnOutputTimeWritesWhatIsOwedThere) {
     EXPECT_EQ(folder_.read(std::string("part/") + name), folder_.read(std::string("whole/") + name)) << name;
 }
 
+/// Work that was done is counted, whoever did it.
+TEST_F(PressFiles, CountsWhatAThermalIntegratorAndTheCurrentSolvedFor) {
+  const auto counts_of = [&](const std::string& name) {
+    EXPECT_EQ(run("run " + name + ".toml --quiet --out " + name), 0) << err();
+    return Json::parse(folder_.read(name + "/run.json"))["counts"];
+  };
+  changed("plain.toml", "[dynamics]\n", "[dynamics]\nthermal_integrator = \"rkc:rtol=1e-4\"\n");
+  const auto plain = counts_of("plain");
+  EXPECT_GT(plain["rhs"], 0);
+  for (const char* none : {"jacobians", "factorizations", "solves", "potential_solves"})
+    EXPECT_EQ(plain[none], 0) << none;
+  changed("klu.toml", "[dynamics]\n",
+          "[dynamics]\nthermal_integrator = \"trapezoidal:rtol=1e-4,solver=klu\"\n");
+  const auto klu = counts_of("klu");
+  for (const char* some : {"jacobians", "factorizations", "solves"}) EXPECT_GT(klu[some], 0) << some;
+  changed("volts.toml", "current = { lower = 1e4, upper = 1e4 }", "potential = { lower = 0.0, upper = 1.0 }");
+  text_ = folder_.read("volts.toml");
+  changed("volts.toml", "[electric]\n", "[electric]\nmodel = \"potential\"\n");
+  EXPECT_GT(counts_of("volts")["potential_solves"], 0);
+}
+
 TEST_F(PressFiles, AnExportWithoutBondsLeavesNoneOfAnEarlierOne) {
   changed("loose.toml", "[dynamics.bond]\nstiffness = 1e6\nthreshold = 0.05\n", "");
   ASSERT_EQ(run("run press.toml --out out --export-packing p.csv"), 0) << err();

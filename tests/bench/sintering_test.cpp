@@ -242,8 +242,14 @@ TEST(BenchSintering, LanesMeasureErrorAndWork) {
   EXPECT_LT(*rkc.errors.rms, 0.1 * *euler.errors.rms) << "its tolerance asks for 1e-5 of the span";
   EXPECT_LE(*rkc.errors.rms, *rkc.errors.max);
   EXPECT_GT(*euler.rhs, 0U);
+  EXPECT_EQ(*euler.factorizations, 0U);
   EXPECT_DOUBLE_EQ(*rkc.speedup_total, euler.cpu_total->median / rkc.cpu_total->median);
   EXPECT_EQ(result.cpu_setup, 0.5);
+  const auto implicit =
+      lanes_of(load_press(small_press(folder)), 1, {"trapezoidal:rtol=1e-4,solver=klu"}).rows;
+  ASSERT_EQ(implicit.front().integrator, "trapezoidal");
+  EXPECT_GT(*implicit.front().factorizations, 0U);
+  EXPECT_GT(*implicit.front().solves, 0U);
 }
 
 TEST(BenchSintering, AReferenceWithoutAToleranceIsHeldAgainstNoMethod) {

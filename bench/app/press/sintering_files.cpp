@@ -93,7 +93,13 @@ RunRecord record_of(const Press& one, const Motion& motion, const SinteringResul
   record.steps = motion.history().size() - 1;
   record.rejected = motion.rejected();
   record.rhs = bridge ? bridge->sweeps() : motion.iterations();
-  record.max_stages = bridge ? bridge->max_stages() : 0;
+  if (bridge) {
+    record.jacobians = bridge->jacobians();
+    record.factorizations = bridge->factorizations();
+    record.solves = bridge->solves();
+    record.max_stages = bridge->max_stages();
+  }
+  record.potential_solves = motion.network().current().potential_solves();
   record.threads = threads;
   record.cpu_setup = result.cpu_setup;
   record.cpu_stepping = result.cpu_stepping;
