@@ -248,7 +248,7 @@ std::string state_section(const FrozenState& state, bool color) {
   if (state.lambda_imaginary > 0) out += fmt::format(" (imaginary part {:.3g})", state.lambda_imaginary);
   out += fmt::format(", certified bound {:.6g} 1/s\n", state.certified_bound);
   if (state.rising > 0)
-    out += fmt::format("some perturbation grows by itself, by {:.3g} 1/s: it is taken away like slow modes\n",
+    out += fmt::format("some perturbation grows by itself, by {:.3g} 1/s: it is left out like slow modes\n",
                        state.rising);
   return out + state_table(state, color) + "\n";
 }
@@ -257,11 +257,9 @@ std::string states_section(const StabilityResults& results, bool color) {
   std::string out =
       "The scene frozen at states of a run: f = J (y - y*). Predicted from eigenvalues; measured: the "
       "longest "
-      "step without\ngrowth, from the stiffest mode and white noise, slow modes taken away. They agree "
-      "within "
-      "2 %; within 1e-4 of 1 growth\ncan not be told apart. A complex spectrum predicts forward Euler's "
-      "limit "
-      "alone.\n\n";
+      "step without\ngrowth, of every mode where all eigenvalues are known, else from the stiffest mode and "
+      "white noise; slow modes\nare left out. They agree within 2 %; within 1e-4 of 1 growth can not be told "
+      "apart. A complex spectrum predicts\nforward Euler's limit alone.\n\n";
   for (const auto& state : results.states) out += state_section(state, color);
   for (const auto& note : results.notes) out += "note: " + note + "\n";
   return out;

@@ -95,7 +95,7 @@ void add_notes(const Scene& scene, std::vector<std::string>& notes) {
 }  // namespace
 
 FrozenState find_limits(FrozenRhs& rhs, bool quick, const std::function<void()>& done) {
-  const Spectrum spectrum = spectrum_of(rhs);
+  Spectrum spectrum = spectrum_of(rhs);
   FrozenState out;
   out.unknowns = rhs.size();
   out.spectrum = kind_name(spectrum.kind);
@@ -105,7 +105,9 @@ FrozenState find_limits(FrozenRhs& rhs, bool quick, const std::function<void()>&
   out.lambda_residual = spectrum.residual;
   out.rising = spectrum.rising;
   out.certified_bound = rhs.frozen().bound;
-  GrowthMeter meter(rhs, spectrum.shape, modes_of(spectrum.kind), spectrum.rising);
+  GrowthMeter meter = spectrum.modes.empty()
+                          ? GrowthMeter(rhs, spectrum.shape, modes_of(spectrum.kind), spectrum.rising)
+                          : GrowthMeter(rhs, std::move(spectrum.modes));
   for (const auto& method : stability_limits(quick)) {
     out.limits.push_back(find_limit(rhs, meter, method, spectrum));
     if (done) done();

@@ -98,11 +98,23 @@ Spectrum all_eigenvalues(FrozenRhs& rhs) {
   out.found_by = "all eigenvalues";
   take_extremes(values, frozen, out);
   const Eigen::MatrixXcd vectors = solver.eigenvectors();  // computed anew at every call
-  const auto limiting = static_cast<Eigen::Index>(extremes_of(values).limiting);
-  out.shape.resize(rhs.size());
-  for (Eigen::Index i = 0; i < n; ++i)
-    out.shape[static_cast<std::size_t>(i)] = scale[static_cast<std::size_t>(i)] * vectors(i, limiting).real();
+  const Extremes found = extremes_of(values);
+  const auto shape_of = [&](std::size_t mode, const auto& part) {
+    std::vector<double> shape(rhs.size());
+    for (std::size_t i = 0; i < shape.size(); ++i)
+      shape[i] = scale[i] * part(vectors(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(mode)));
+    return shape;
+  };
+  const auto real = [](Complex entry) { return entry.real(); };
+  const auto imaginary = [](Complex entry) { return entry.imag(); };
+  out.shape = shape_of(found.limiting, real);
   normalise(rhs, out.shape);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const bool counts = values[k].real() < 0 && std::abs(values[k]) > slow * found.radius;
+    if (!counts || values[k].imag() < 0) continue;  // one of each pair
+    out.modes.push_back({.real = shape_of(k, real), .imaginary = {}});
+    if (values[k].imag() > 0) out.modes.back().imaginary = shape_of(k, imaginary);
+  }
   if (out.limiting.imag() == 0) out.residual = residual_of(rhs, out.shape, out.limiting.real());
   return out;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/lab/frozen/frozen_rhs.hpp"
+#include "bench/lab/frozen/growth.hpp"
 
 namespace superstep {
 
@@ -17,8 +18,11 @@ struct Spectrum {
   std::complex<double> limiting;
   double residual = 0;        ///< |J v - lambda v| of its shape [1/s]
   std::vector<double> shape;  ///< norm 1 in the weights; the real part of a complex one
-  double rising = 0;          ///< largest real part where some perturbations grow by themselves, else 0 [1/s]
-  double euler_limit = 0;     ///< longest stable step of forward Euler [s]
+  /// Where all eigenvalues were computed: those that a step may not let grow, neither rising by themselves
+  /// nor so slow that rounding hides what becomes of them.
+  std::vector<Mode> modes;
+  double rising = 0;       ///< largest real part where some perturbations grow by themselves, else 0 [1/s]
+  double euler_limit = 0;  ///< longest stable step of forward Euler [s]
 };
 
 /// Unknowns up to which every eigenvalue is computed.
