@@ -247,6 +247,11 @@ std::string state_section(const FrozenState& state, bool color) {
       state.time, quantity(state.unknowns, "unknown"), state.spectrum, state.found_by, state.lambda_max);
   if (state.lambda_imaginary > 0) out += fmt::format(" (imaginary part {:.3g})", state.lambda_imaginary);
   out += fmt::format(", certified bound {:.6g} 1/s\n", state.certified_bound);
+  if (std::isnan(state.rising))
+    out +=
+        "whether some perturbation grows by itself is not known: of so large a spectrum the stiff end alone "
+        "is "
+        "found\n";
   if (state.rising > 0)
     out += fmt::format("some perturbation grows by itself, by {:.3g} 1/s: it is left out like slow modes\n",
                        state.rising);

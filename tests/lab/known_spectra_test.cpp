@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/lab/frozen/limits.hpp"
+#include "bench/lab/frozen/spectrum.hpp"
 #include "support/problem.hpp"
 
 namespace superstep {
@@ -61,6 +62,23 @@ TEST(KnownSpectrum, SeveralThatGrowByThemselvesDoNotCountAgainstAStep) {
   EXPECT_NEAR(*state.limits[0].predicted, 0.02, 1e-12);
   EXPECT_NEAR(state.limits[0].measured, 0.02, 2e-4 * 0.02);
   for (const auto& limit : state.limits) EXPECT_GE(limit.measured, 0.02 * (1 - 1e-3)) << limit.spec;
+}
+
+/// Where one looks at the stiff end alone, nothing is said about what rises far from it.
+TEST(KnownSpectrum, OfALargeOneNoRateIsCalledZeroUnseen) {
+  constexpr std::size_t most = most_for_all_eigenvalues + 20;
+  const Problem problem(test::chain(most + 2));
+  std::vector<double> rates;
+  for (std::size_t k = 1; k < most; ++k) rates.push_back(-1e6 * static_cast<double>(k) / most);
+  rates.push_back(3);
+  auto hidden = unmixed(problem, rates, 1e3, 1);
+  const auto state = find_limits(hidden, true);
+  EXPECT_EQ(state.found_by, "Arnoldi");
+  EXPECT_TRUE(std::isnan(state.rising)) << state.rising;
+  EXPECT_EQ(state.limits[0].verdict, FrozenLimit::Verdict::agrees);
+  rates.back() = 2e6;
+  auto seen = unmixed(problem, rates, 1e3, 1);
+  EXPECT_NEAR(find_limits(seen, true).rising, 2e6, 2e4);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bench/lab/catalogue.hpp"
@@ -103,7 +104,7 @@ FrozenState find_limits(FrozenRhs& rhs, bool quick, const std::function<void()>&
   out.lambda_max = std::abs(spectrum.limiting);
   out.lambda_imaginary = std::abs(spectrum.limiting.imag());
   out.lambda_residual = spectrum.residual;
-  out.rising = spectrum.rising;
+  out.rising = spectrum.rising_is_known ? spectrum.rising : std::numeric_limits<double>::quiet_NaN();
   out.certified_bound = rhs.frozen().bound;
   GrowthMeter meter = spectrum.modes.empty()
                           ? GrowthMeter(rhs, spectrum.shape, modes_of(spectrum.kind), spectrum.rising)

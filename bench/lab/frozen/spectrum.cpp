@@ -160,6 +160,7 @@ Spectrum by_arnoldi(FrozenRhs& rhs) {
   constexpr std::size_t basis_size = 60;
   constexpr int most_restarts = 40;
   constexpr double wanted = 1e-6, trusted = 1e-3;  // residuals, of the radius
+  constexpr double sure_of_rising = 0.01;          // of the rate itself
   Spectrum out;
   out.found_by = "Arnoldi";
   out.shape = white_perturbation(rhs);
@@ -180,6 +181,12 @@ Spectrum by_arnoldi(FrozenRhs& rhs) {
       if (k != found.limiting && residual(k) <= trusted * found.radius) trustworthy.push_back(values[k]);
     out.rising = 0;
     take_extremes(trustworthy, rhs.frozen(), out);
+    const auto highest = static_cast<std::size_t>(
+        std::max_element(values.begin(), values.end(),
+                         [](const Complex& a, const Complex& b) { return a.real() < b.real(); }) -
+        values.begin());
+    out.rising_is_known = rhs.frozen().decays || (out.rising > 0 && out.rising == values[highest].real() &&
+                                                  residual(highest) <= sure_of_rising * out.rising);
     out.residual = error;
     std::fill(out.shape.begin(), out.shape.end(), 0.0);
     for (Eigen::Index j = 0; j < m; ++j) {

@@ -21,7 +21,10 @@ struct Spectrum {
   /// Where all eigenvalues were computed: those that a step may not let grow, neither rising by themselves
   /// nor so slow that rounding hides what becomes of them.
   std::vector<Mode> modes;
-  double rising = 0;       ///< largest real part where some perturbations grow by themselves, else 0 [1/s]
+  double rising = 0;  ///< largest real part where some perturbations grow by themselves, else 0 [1/s]
+  /// False where eigenvalues were not all computed and none of those found shows that one rises: it may be
+  /// far from the stiff end.
+  bool rising_is_known = true;
   double euler_limit = 0;  ///< longest stable step of forward Euler [s]
 };
 

@@ -119,7 +119,7 @@ const RecordFields<FrozenRow>& fields_of<FrozenRow>() {
           "lambda_residual", [](Row r) { return r.state->lambda_residual; }, "1/s"),
       derived<FrozenRow>(
           "rising_rate", [](Row r) { return r.state->rising; },
-          "1/s; of a perturbation that grows by itself, 0 = none"),
+          "1/s; of a perturbation that grows by itself, 0 = none, null = not known"),
       derived<FrozenRow>(
           "certified_bound", [](Row r) { return r.state->certified_bound; }, "1/s; of the spectral radius"),
       derived<FrozenRow>("method", [](Row r) { return r.limit->family; }),

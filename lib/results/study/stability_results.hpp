@@ -128,8 +128,10 @@ struct FrozenState {
   double lambda_max = 0;        ///< modulus of the eigenvalue that limits forward Euler [1/s]
   double lambda_imaginary = 0;  ///< its imaginary part [1/s]
   double lambda_residual = 0;   ///< 1/s
-  double rising = 0;            ///< rate at which some perturbation grows by itself, else 0 [1/s]
-  double certified_bound = 0;   ///< of the spectral radius [1/s]
+  /// Rate at which some perturbation grows by itself, 0 where none does; not a number where that is not known
+  /// [1/s].
+  double rising = 0;
+  double certified_bound = 0;  ///< of the spectral radius [1/s]
   std::vector<FrozenLimit> limits;
 };
 
