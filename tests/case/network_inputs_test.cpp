@@ -98,6 +98,23 @@ TEST_F(NetworkInputs, SurroundingsOfALaplacianDrawTheNetworkToTheirValue) {
   for (const double value : values_at_end(scene)) EXPECT_NEAR(value, 7, 1e-6);
 }
 
+/// As pores on the boundary of a network have none.
+TEST_F(NetworkInputs, AHeldNodeNeedsNoCapacity) {
+  folder_.write("e.csv", "i,j,conductance\n1,2,1\n2,3,2\n3,4,1\n");
+  const auto value = [&](const std::string& of_held, const std::string& of_3) {
+    folder_.write("c.txt", of_held + "\n1\n" + of_3 + "\n" + of_held + "\n");
+    const auto scene = load(
+        "t_end = 0.7\n[network]\nedges = \"e.csv\"\ncapacity = \"c.txt\"\ninitial = 5.0\n"
+        "fixed = [ { ids = [1], value = 300.0 }, { ids = [4], value = { times = [0, 1], values = [0, 8] } } "
+        "]\n");
+    return values_at_end(scene);
+  };
+  for (const char* of_3 : {"1", "0"})
+    EXPECT_EQ(value("0", of_3), value("1", of_3)) << "with a capacity of " << of_3 << " beside it";
+  folder_.write("c.txt", "0\n1\n-1\n0\n");
+  expect_refused("t_end = 1\n[network]\nedges = \"e.csv\"\ncapacity = \"c.txt\"\n", "must be >= 0");
+}
+
 /// It would start from 0.
 TEST_F(NetworkInputs, AFileOfInitialValuesForgetsNoNode) {
   folder_.write("e.csv", "i,j,conductance\n1,2,1\n2,3,1\n");

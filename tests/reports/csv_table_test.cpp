@@ -66,6 +66,7 @@ TEST(CsvTable, ErrorsNameFileAndRule) {
   };
   const auto nothing = [](const CsvTable&) {};
   EXPECT_NE(message("a,b\n1\n", nothing).find("1 cells"), std::string::npos);
+  EXPECT_NE(message("a,b,a\n1,2,3\n", nothing).find("two columns 'a'"), std::string::npos);
   EXPECT_NE(message("a,b\n\"1,2\n", nothing).find("quote"), std::string::npos);
   EXPECT_NE(message("a,b\n1,x\n", [](const CsvTable& t) { (void)t.number(0, 1); }).find("'b'"),
             std::string::npos);

@@ -23,7 +23,8 @@ class Check {
 
   void nodes() const {
     for (std::size_t node = 0; node < graph_.nodes(); ++node) {
-      if (!field_.steady && !is_workable(graph_.capacity[node]))
+      const bool needs_none = field_.steady || (graph_.is_fixed[node] && graph_.capacity[node] == 0);
+      if (!needs_none && !is_workable(graph_.capacity[node]))
         reject(of_node("capacity", node), graph_.capacity[node], "J/K or F");
       size(of_node("initial value", node), graph_.initial[node], field_.unit);
       if (graph_.is_fixed[node]) size(of_node("fixed value", node), graph_.fixed_value[node], field_.unit);

@@ -26,7 +26,7 @@ void CsvTable::parse() {
     if (row.size() == 1 && row.front().empty()) continue;            // a blank line
     if (columns_.empty() && row.front().starts_with('#')) continue;  // what a table states above its header
     if (columns_.empty()) {
-      for (const auto& name : row) columns_.push_back(csv_text_of(name));
+      for (const auto& name : row) take_column(csv_text_of(name));
       continue;
     }
     ++rows;
@@ -34,6 +34,12 @@ void CsvTable::parse() {
       reject(rows - 1, fmt::format("it has {} cells, the header has {}", row.size(), columns_.size()));
     cells_.insert(cells_.end(), row.begin(), row.end());
   }
+}
+
+void CsvTable::take_column(std::string name) {
+  if (find(name))
+    throw InputError(fmt::format("{}: the header has two columns '{}'; write the file anew", path_, name));
+  columns_.push_back(std::move(name));
 }
 
 std::string_view CsvTable::take_cell(std::size_t& position, bool& ends_row) {

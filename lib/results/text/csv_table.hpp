@@ -41,6 +41,7 @@ class CsvTable {
 
  private:
   void parse();
+  void take_column(std::string name);
   std::string_view take_cell(std::size_t& position, bool& ends_row);
   std::string_view take_quoted(std::size_t& position);
 
