@@ -135,7 +135,9 @@ TEST_F(FileReport, InitWritesACaseThatRuns) {
   // Chained: the end of one run is the start of the next, with the same contacts.
   std::string next = text;
   next.replace(next.find("\"p.dump\""), 8, "\"result/final.csv\"");
-  next.replace(next.find("initial = 293.15"), 16, "initial = { column = \"temperature\" }");
+  const std::string of_dump = "\"f_T\"";
+  ASSERT_NE(next.find("initial = { column = " + of_dump), std::string::npos) << next;
+  next.replace(next.find(of_dump), of_dump.size(), "\"temperature\"");
   const Scene first = load_scene(folder_.file("sub.toml")),
               second = load_scene(folder_.write("next.toml", next));
   EXPECT_EQ(first.packed->contacts.size(), second.packed->contacts.size());
