@@ -138,8 +138,8 @@ TEST_F(Limits, WhatHasNoEndIsNoData) {
   const std::string pipe = folder_.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::filesystem::create_symlink("/dev/zero", folder_.file("link"));
-  for (const std::string data :
-       {"/dev/zero", "/dev/urandom", "/dev", pipe.c_str(), folder_.file("link").c_str()}) {
+  for (const auto& data :
+       std::vector<std::string>{"/dev/zero", "/dev/urandom", "/dev", pipe, folder_.file("link")}) {
     const std::string network =
         fmt::format("t_end = 1.0\n[network]\nnodes = \"{}\"\nedges = \"rod_edges.csv\"\n", data);
     const std::string packing = fmt::format(
