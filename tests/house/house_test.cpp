@@ -132,7 +132,7 @@ TEST(TheHouse, NoFolderHoldsMoreThan25SourceFiles) {
 // either.
 TEST(TheHouse, NoNameStandsForTwoTypes) {
   static const std::regex line(
-      R"(^(?:namespace ([\w:]+) \{|(\})  // namespace.*|(?:struct|class|enum class|enum) (?:\[\[\w+\]\] )?(\w+)[^;]*)$)");
+      R"(^(?:namespace ([\w:]+) \{|(\})  // namespace.*|(?:struct|class|enum class|enum) (?:\[\[\w+\]\] )?(\w+)\b(?![;<]).*)$)");
   std::map<std::string, std::string> first;
   for (const auto& file : files({".hpp"})) {
     std::ifstream stream(root / file);

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "integrators/integrator.hpp"
 #include "results/results_json.hpp"
+#include "results/schema/bench_fields.hpp"
 #include "sample_report.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -69,6 +71,14 @@ TEST(ResultsFile, LeavesOutWhatTheInterruptCameBefore) {
   const auto file = read_results(path);
   EXPECT_TRUE(file.interrupted);
   EXPECT_EQ(file.cases[0].rows.size(), 1U);
+}
+
+/// What the program writes is what its readers know.
+TEST(ResultsFile, KnowsTheStatusOfEveryOutcome) {
+  std::vector<std::string> names;
+  for (int k = 0; k <= static_cast<int>(Status::interrupted); ++k)
+    names.emplace_back(status_name(static_cast<Status>(k)));
+  EXPECT_EQ(statuses(), names);
 }
 
 /// What a comparison, the gate and the report go by: none of them judges a file that no benchmark wrote.

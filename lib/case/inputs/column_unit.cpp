@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text/delimited.hpp"
@@ -47,6 +48,14 @@ void require_column_unit(std::string_view name, std::string_view unit, const std
       fmt::format("{}: column '{}' is in {}; its values are taken in {}: convert them, or name another "
                   "column",
                   where, name, stated, unit.empty() ? "K or V" : unit));
+}
+
+HeaderRule or_states_unit(HeaderRule rule, std::string_view unit_of(std::string_view name)) {
+  rule.is_header = [names_them = std::move(rule.is_header), unit_of](const std::vector<std::string>& names) {
+    return names_them(names) ||
+           std::any_of(names.begin(), names.end(), [&](const auto& name) { return !unit_of(name).empty(); });
+  };
+  return rule;
 }
 
 }  // namespace superstep

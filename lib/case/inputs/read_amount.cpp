@@ -106,15 +106,12 @@ bool is_unit_of_value(std::string_view unit) {
   return (!is_second(unit) && is_plain_unit(unit)) || word == "kelvin" || word == "volt";
 }
 
-/// A comment is a header where it names both columns, or states a unit of one: "# time_ms P_mW".
+/// Of columns in a comment as well: "# time_ms P_mW".
 HeaderRule profile_header(const std::string& time, const std::string& value) {
-  HeaderRule rule = header_of({time, value}, 2);
-  rule.is_header = [names_both = rule.is_header](const std::vector<std::string>& names) {
-    return names_both(names) || std::any_of(names.begin(), names.end(), [](const std::string& name) {
-             return !unit_of_time(name).empty() || !unit_of_value(name).empty();
-           });
-  };
-  return rule;
+  return or_states_unit(header_of({time, value}, 2), [](std::string_view name) {
+    const std::string_view unit = unit_of_time(name);
+    return unit.empty() ? unit_of_value(name) : unit;
+  });
 }
 
 TimeTable read_profile(TomlTable& table, const TomlValue& file) {

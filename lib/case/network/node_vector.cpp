@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -85,16 +84,11 @@ NodeVector of_pairs(DelimitedTable& table, std::span<const std::int64_t> id) {
   return out;
 }
 
-/// A comment is a header where it names the columns, or states a unit of one: "# id T_C".
+/// Of columns in a comment as well: "# id T_C".
 HeaderRule vector_header() {
-  HeaderRule rule =
-      header_of({"id", "value", "capacity", "source", "initial", "fixed", "temperature", "potential"}, 2);
-  rule.is_header = [names_them = rule.is_header](const std::vector<std::string>& names) {
-    return names_them(names) || std::any_of(names.begin(), names.end(), [](const std::string& name) {
-             return !split_column_unit(name).unit.empty();
-           });
-  };
-  return rule;
+  return or_states_unit(
+      header_of({"id", "value", "capacity", "source", "initial", "fixed", "temperature", "potential"}, 2),
+      [](std::string_view name) { return split_column_unit(name).unit; });
 }
 
 }  // namespace

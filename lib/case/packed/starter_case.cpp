@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include "case/inputs/column_unit.hpp"
 #include "contact/neck.hpp"
 #include "contact/search.hpp"
 #include "core/error.hpp"
 #include "core/text/append.hpp"
-#include "core/text/bracketed_unit.hpp"
 
 namespace superstep {
 namespace {
@@ -33,13 +33,12 @@ std::string toml_string(const std::string& text) {
 std::optional<std::string> temperature_column(const Packing& packing) {
   std::optional<std::string> found;
   for (const auto& attribute : packing.attributes) {
-    std::string name = bare_name(attribute.name);
+    const auto [written, unit] = split_column_unit(attribute.name);
+    std::string name = bare_name(written);
     for (const std::string_view prefix : {"f_", "c_", "v_"})
       if (name.starts_with(prefix)) name.erase(0, prefix.size());
     if (name != "temperature" && name != "temp" && name != "t") continue;
-    const auto unit = split_bracketed_unit(attribute.name).unit;
-    const bool is_index = unit.find_first_not_of("0123456789") == std::string_view::npos;
-    if (found || !(is_index || unit == "K")) return std::nullopt;
+    if (found || !(unit.empty() || unit == "K")) return std::nullopt;
     found = attribute.name;
   }
   return found;

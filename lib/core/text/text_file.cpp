@@ -62,7 +62,8 @@ std::string read_bytes(const std::string& path, std::uintmax_t most) {
   while (stream.read(buffer.data(), static_cast<std::streamsize>(block)) || stream.gcount() > 0)
     text.append(buffer, 0, static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) throw FileError(path, fmt::format("cannot be read: {}", std::strerror(errno)));
-  return is_gzip(text) ? gunzip(text, path, most) : text;
+  if (is_gzip(text)) return gunzip(text, path, most);
+  return text;
 }
 
 std::string read_file(const std::string& path, std::uintmax_t most) {

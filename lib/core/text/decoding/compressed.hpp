@@ -12,7 +12,8 @@ namespace superstep {
 [[nodiscard]] bool is_gzip(std::string_view bytes) noexcept;
 
 /// What a gzip file holds, all of its members. Throws InputError (beginning with `path`) for a file that is
-/// cut off or damaged, and for one that unpacks to more than `most` bytes.
+/// cut off or damaged, that goes on behind its last member with anything but noughts, or that unpacks to more
+/// than `most` bytes.
 [[nodiscard]] std::string gunzip(std::string_view bytes, const std::string& path, std::uintmax_t most);
 
 /// Appends one zlib stream that holds exactly `size` bytes. Throws InputError (beginning with `where`).
