@@ -21,7 +21,8 @@ class CholmodFactor {
 
   /// Values of the pattern's entries [nnz], to be written before `factorize`.
   [[nodiscard]] std::span<double> values() noexcept;
-  /// False when the matrix is not positive definite or memory runs out. A singular matrix may pass.
+  /// False when the matrix is not positive definite; a singular one may pass. Throws std::bad_alloc when
+  /// memory runs out.
   [[nodiscard]] bool factorize();
   /// x [n] for b [n], which may be the same vector. False when memory runs out.
   [[nodiscard]] bool solve(std::span<const double> b, std::span<double> x);

@@ -51,8 +51,7 @@ void SpdSolver::refactorize(const Network& network, double shift) {
     value[out++] = total[j] + shift * network.capacity[j];
   }
   if (!factor_->factorize())
-    throw NumericalError(
-        "the network matrix could not be factorized: not positive definite, or out of memory");
+    throw NumericalError("the network matrix could not be factorized: it is not positive definite");
 }
 
 std::vector<double> SpdSolver::solve(std::span<const double> b) const {
