@@ -213,7 +213,7 @@ int execute(const BenchCommand& command) {
   if (!quiet) note(fmt::format("results in {0}/results.csv and {0}/results.json", folder));
   renew_report(folder, command.report, quiet);
   data.end();
-  if (report.interrupted) return interrupted_exit_code;
+  if (report.interrupted) return interrupted_exit_code();
   return static_cast<int>(exit_code(report));
 }
 

@@ -144,7 +144,7 @@ int execute(const CorpusCommand& command) {
   print_tables(command, file.rows());
   if (!command.common.quiet) note("points in " + folder + "/corpus.csv");
   renew_report(folder, command.report, command.common.quiet);
-  if (stop_flag()) return interrupted_exit_code;
+  if (stop_flag()) return interrupted_exit_code();
   const bool measured =
       std::any_of(file.rows().begin(), file.rows().end(), [](const auto& row) { return row.ok(); });
   return static_cast<int>(measured ? ExitCode::ok : ExitCode::inconclusive);

@@ -184,7 +184,7 @@ int execute(const PackCommand& command) {
     return command.lattice ? pack_lattice(command, progress) : pack_container(command, progress);
   } catch (const NumericalError&) {
     progress.end();
-    if (stop_flag()) return interrupted_exit_code;
+    if (stop_flag()) return interrupted_exit_code();
     throw;
   }
 }

@@ -189,7 +189,7 @@ int run_scene(const RunCommand& command, const Scene& scene, double cpu_setup) {
   if (command.common.json && !documents.empty())
     data.print(specs.size() == 1 ? documents.front() : json_list(documents));
   data.end();
-  if (stop_flag()) return interrupted_exit_code;
+  if (stop_flag()) return interrupted_exit_code();
   return static_cast<int>(all_ok ? ExitCode::ok : ExitCode::numerical);
 }
 

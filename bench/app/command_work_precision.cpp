@@ -52,7 +52,7 @@ int execute(const WorkPrecisionCommand& command) {
     renew_report(folder_of(command, scene), command.report, command.common.quiet);
   }
   data.end();
-  if (stop_flag()) return interrupted_exit_code;
+  if (stop_flag()) return interrupted_exit_code();
   return static_cast<int>(measured ? ExitCode::ok : ExitCode::inconclusive);
 }
 

@@ -295,6 +295,16 @@ TEST_F(Program, AnInterruptEndsCleanlyWith130) {
   EXPECT_EQ(nlohmann::json::parse(folder_.read("result/results.json")).at("interrupted"), true);
 }
 
+TEST_F(Program, ShellsAndBatchSystemsEndItAsCleanly) {
+  const std::string endless = "run rod.toml --integrator forward-euler:step=1e-8 --out ";
+  for (const auto& [signal, code] : {std::pair{"TERM", 143}, {"HUP", 129}, {"XCPU", 152}}) {
+    EXPECT_EQ(run(endless + signal, fmt::format("timeout --preserve-status --signal={} 0.5", signal)), code)
+        << signal << err();
+    const auto index = nlohmann::json::parse(folder_.read(fmt::format("{}/run.json", signal)));
+    EXPECT_EQ(index.at("outcome").at("status"), "interrupted") << signal;
+  }
+}
+
 TEST_F(Program, HelpShowsExamples) {
   EXPECT_EQ(run("--help"), 0);
   for (const std::string command :

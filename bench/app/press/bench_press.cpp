@@ -40,7 +40,7 @@ int bench_press_tables(const BenchCommand& command, const std::vector<LoadedCase
                                  : press_table_text(rows, use_color(command.common.color)));
   if (!quiet) note(fmt::format("table in {}/press_table.csv", folder));
   renew_report(folder, command.report, quiet);
-  if (stop_flag()) return interrupted_exit_code;
+  if (stop_flag()) return interrupted_exit_code();
   const bool any = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.ok(); });
   return static_cast<int>(any ? ExitCode::ok : ExitCode::inconclusive);
 }

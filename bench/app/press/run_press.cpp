@@ -281,7 +281,7 @@ int run_press(const RunCommand& command, const Press& press, double cpu_setup) {
     const std::string folder = specs.size() == 1 ? out : out + "/" + folder_name(spec);
     code = std::max(code, run_into(with_integrator(press, command, spec), command, cpu_setup, folder));
   }
-  return stop_flag() ? interrupted_exit_code : code;
+  return stop_flag() ? interrupted_exit_code() : code;
 }
 
 }  // namespace superstep
