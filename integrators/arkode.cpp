@@ -66,6 +66,9 @@ void ArkodeRungeKutta::create_solver(double t) {
   check_sundials(ARKStepSetOrder(arkode, order_), "setting the order");
   check_sundials(ARKStepWFtolerances(arkode, weights), "setting tolerances");
   check_sundials(ARKStepSetMaxNumSteps(arkode, -1), "lifting the step limit");  // one step a call here
+  // A law that bends needs a step a thousand times smaller at once; each failure takes a factor of some 3.
+  constexpr int most_failures = 30;
+  check_sundials(ARKStepSetMaxErrTestFails(arkode, most_failures), "setting how often a step may fail");
   if (!implicit_) return;
   // How fast Newton's method converges is not taken over from steps before: where that was fast, a law that
   // bends or a step of the inputs had one correction with an old matrix taken for the solution.

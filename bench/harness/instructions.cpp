@@ -94,8 +94,9 @@ InstructionCount count_instructions(const std::string& program, const std::strin
                                     const std::string& spec) {
   const ScratchFolder folder;
   if (!folder.there()) return {{}, "there is no folder for temporary files"};
-  const int code =
-      run_program_file({"valgrind", "--tool=callgrind", "--callgrind-out-file=" + folder.file("counts"),
+  const int code =  // with one thread for BLAS a program need not start anew under a limit on memory
+      run_program_file({"env", "OPENBLAS_NUM_THREADS=1", "valgrind", "--tool=callgrind",
+                        "--callgrind-out-file=" + folder.file("counts"),
                         fmt::format("--toggle-collect={}", counted_function), program, "run", case_file,
                         "--integrator", spec, "--quiet", "--threads", "1", "--out", folder.file("result")},
                        folder.file("out"), folder.file("err"));

@@ -1,6 +1,7 @@
 #include "network/spd_solver.hpp"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "core/error.hpp"
@@ -50,7 +51,13 @@ void SpdSolver::refactorize(const Network& network, double shift) {
       if (at(network.column[k]) < j) value[out++] = -network.conductance[k];
     value[out++] = total[j] + shift * network.capacity[j];
   }
-  if (!factor_->factorize())
+  bool definite = false;
+  try {
+    definite = factor_->factorize();
+  } catch (const std::bad_alloc&) {  // of this matrix alone: whoever can do without it goes on
+    throw NumericalError("the network matrix could not be factorized: out of memory");
+  }
+  if (!definite)
     throw NumericalError("the network matrix could not be factorized: it is not positive definite");
 }
 

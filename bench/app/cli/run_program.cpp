@@ -8,6 +8,7 @@
 #include "bench/app/cli/cli.hpp"
 #include "bench/app/commands.hpp"
 #include "bench/host/machine.hpp"
+#include "bench/host/memory_limit.hpp"
 #include "bench/host/terminal.hpp"
 #include "bench/measure/shared/worker.hpp"
 #include "bench/output/layered_vtk.hpp"
@@ -63,6 +64,7 @@ int run_program(const std::vector<std::string>& arguments) {
   bool root = true;
   return with_errors_said(true, [&] {
     root = world().is_root();
+    keep_to_memory(attainable_memory());
     std::optional<Command> command;
     const int code = with_errors_said(root, [&] {
       command = parse_command_line(arguments);

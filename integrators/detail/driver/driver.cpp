@@ -231,7 +231,7 @@ double Driver::law_slack() const noexcept {
 Outcome Driver::look_at(std::span<const double> y) {
   since_look_ = 0;
   if (auto violation = rhs_->law_violation(y, law_slack()))
-    return {Status::failed, fmt::format("at t = {:.6g} s {}", t_, *violation)};
+    return {Status::failed, fmt::format("at t = {:.6g} s: {}", t_, *violation)};
   return guard_.check(t_, y, *rhs_);
 }
 

@@ -85,9 +85,9 @@ Driver::Look Driver::try_step(const Step& step) {
 }
 
 Outcome Driver::cannot_shrink(double h, const Look& look) const {
+  if (!look.lawful) return {Status::failed, fmt::format("at t = {:.6g} s: {}", t_, lawless_why_)};
   const std::string at = fmt::format(" at t = {:.6g} s with a step of {:.3g} s", t_, h);
   if (!look.trial.solved) return {Status::failed, look.trial.reason + at};
-  if (!look.lawful) return {Status::failed, lawless_why_ + at};
   return {Status::unstable,
           fmt::format("errors grow{}: the state at its end allows {:.3g} s", at, look.limit)};
 }
@@ -95,7 +95,7 @@ Outcome Driver::cannot_shrink(double h, const Look& look) const {
 Outcome Driver::too_short(std::string why) const {
   constexpr std::uint64_t recent = 100;  // steps
   const bool by_law = lawless_ > 0 && counted_.steps <= lawless_step_ + recent;
-  if (by_law) why = fmt::format("at t = {:.6g} s {}", t_, lawless_why_);
+  if (by_law) why = fmt::format("at t = {:.6g} s: {}", t_, lawless_why_);
   return {Status::failed, std::move(why)};
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+#include <new>
 
 #include "integrators/detail/implicit/kept_jacobian.hpp"
 #include "integrators/detail/implicit/klu_ordering.hpp"
@@ -22,7 +22,7 @@ class KluSolver final : public ShiftedSolver {
     apply_klu_ordering(fastest_klu_ordering(rhs), common_);
     symbolic_ =
         klu_l_analyze(static_cast<SuiteSparse_long>(rhs.size()), column_begin_.data(), row_.data(), &common_);
-    if (!symbolic_) throw std::runtime_error("KLU cannot analyse the matrix: out of memory");
+    if (!symbolic_) throw std::bad_alloc();
   }
   ~KluSolver() override {
     klu_l_free_numeric(&numeric_, &common_);
@@ -44,6 +44,7 @@ class KluSolver final : public ShiftedSolver {
                                               numeric_, &common_) != 0
                              : (numeric_ = klu_l_factor(column_begin_.data(), row_.data(), matrix_.data(),
                                                         symbolic_, &common_)) != nullptr;
+    if (common_.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
     if (ok) shift_ = c;
     return ok;
   }

@@ -17,20 +17,26 @@
 namespace superstep {
 namespace {
 
-SundialsLinearSolver& solver_of(void* data) noexcept {
-  return *static_cast<SundialsCallbackData*>(data)->linear_solver;
+SundialsCallbackData& callback_of(void* data) noexcept {
+  return *static_cast<SundialsCallbackData*>(data);
 }
 
 int system_of_cvode(double t, N_Vector y, N_Vector /*fy*/, SUNMatrix matrix, booleantype jacobian_ok,
                     booleantype* jacobian_new, double gamma, void* data, N_Vector, N_Vector,
                     N_Vector) noexcept {
-  return solver_of(data).linear_system(t, y, matrix, jacobian_ok, jacobian_new, gamma);
+  auto& callback = callback_of(data);
+  return carried_out(callback, [&] {
+    return callback.linear_solver->linear_system(t, y, matrix, jacobian_ok, jacobian_new, gamma);
+  });
 }
 
 int system_of_arkode(double t, N_Vector y, N_Vector /*fy*/, SUNMatrix matrix, SUNMatrix /*mass*/,
                      booleantype jacobian_ok, booleantype* jacobian_new, double gamma, void* data, N_Vector,
                      N_Vector, N_Vector) noexcept {
-  return solver_of(data).linear_system(t, y, matrix, jacobian_ok, jacobian_new, gamma);
+  auto& callback = callback_of(data);
+  return carried_out(callback, [&] {
+    return callback.linear_solver->linear_system(t, y, matrix, jacobian_ok, jacobian_new, gamma);
+  });
 }
 
 void set_solver(SundialsPackage package, void* integrator, SUNLinearSolver solver, SUNMatrix matrix,
@@ -67,7 +73,7 @@ class KluLinearSolver final : public SundialsLinearSolver {
   }
 
   int linear_system(double t, N_Vector y, SUNMatrix matrix, booleantype jacobian_ok,
-                    booleantype* jacobian_new, double gamma) noexcept override {
+                    booleantype* jacobian_new, double gamma) override {
     const bool still_valid = jacobian_.bring_to(t, sundials::entries(y), jacobian_ok != SUNFALSE);
     *jacobian_new = still_valid ? SUNFALSE : SUNTRUE;
     double* values = SUNSparseMatrix_Data(matrix);
@@ -75,6 +81,10 @@ class KluLinearSolver final : public SundialsLinearSolver {
                    [gamma](double j) { return -gamma * j; });
     for (const auto k : rhs_.pattern().diagonal) values[k] += 1;
     return 0;
+  }
+
+  [[nodiscard]] bool out_of_memory() const noexcept override {
+    return SUNLinSol_KLUGetCommon(solver_.get())->status == KLU_OUT_OF_MEMORY;
   }
 
  private:
@@ -125,21 +135,22 @@ class GmresLinearSolver final : public SundialsLinearSolver {
   }
   static int set_up(double t, N_Vector y, N_Vector /*fy*/, booleantype /*jacobian_ok*/,
                     booleantype* jacobian_new, double gamma, void* data) noexcept {
-    auto& callback = *static_cast<SundialsCallbackData*>(data);
+    auto& callback = callback_of(data);
     *jacobian_new = SUNTRUE;
     auto& self = *static_cast<GmresLinearSolver*>(callback.linear_solver);
-    return self.preconditioner_.set(gamma, t, sundials::entries(y)) ? 0 : 1;
+    return carried_out(callback,
+                       [&] { return self.preconditioner_.set(gamma, t, sundials::entries(y)) ? 0 : 1; });
   }
   static int apply(double /*t*/, N_Vector /*y*/, N_Vector /*fy*/, N_Vector r, N_Vector z, double /*gamma*/,
                    double /*delta*/, int /*side*/, void* data) noexcept {
-    auto& callback = *static_cast<SundialsCallbackData*>(data);
+    auto& callback = callback_of(data);
     static_cast<GmresLinearSolver*>(callback.linear_solver)
         ->preconditioner_.apply(sundials::entries(r), sundials::entries(z));
     return 0;
   }
   static int jacobian_times(N_Vector v, N_Vector jv, double /*t*/, N_Vector /*y*/, N_Vector /*fy*/,
                             void* data, N_Vector /*work*/) noexcept {
-    auto& callback = *static_cast<SundialsCallbackData*>(data);
+    auto& callback = callback_of(data);
     const auto in = sundials::entries(v), out = sundials::entries(jv);
     if (callback.rhs->traits().linear)
       callback.rhs->linear_stage({.y1 = in.data(), .a = 0, .d = 1}, out);
@@ -178,7 +189,7 @@ class ShiftedLinearSolver final : public SundialsLinearSolver {
   }
 
   int linear_system(double t, N_Vector y, SUNMatrix /*matrix*/, booleantype /*jacobian_ok*/,
-                    booleantype* jacobian_new, double gamma) noexcept override {
+                    booleantype* jacobian_new, double gamma) override {
     *jacobian_new = SUNTRUE;
     return own_->set(gamma, t, sundials::entries(y)) ? 0 : 1;
   }
@@ -200,8 +211,7 @@ class ShiftedLinearSolver final : public SundialsLinearSolver {
 
 }  // namespace
 
-int SundialsLinearSolver::linear_system(double, N_Vector, SUNMatrix, booleantype, booleantype*,
-                                        double) noexcept {
+int SundialsLinearSolver::linear_system(double, N_Vector, SUNMatrix, booleantype, booleantype*, double) {
   return -1;  // never called: the solver is attached without a matrix
 }
 

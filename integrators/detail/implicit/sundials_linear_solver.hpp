@@ -1,6 +1,7 @@
 #pragma once
 /// The linear solvers that the integrators of SUNDIALS can be given for I - gamma J.
 
+#include <exception>
 #include <memory>
 #include <string>
 
@@ -21,7 +22,9 @@ class SundialsLinearSolver {
   virtual void attach(SundialsPackage package, void* integrator) = 0;
   /// Makes I - gamma J at (t, y) ready; 0 = it is, > 0 = a smaller step may help.
   virtual int linear_system(double t, N_Vector y, SUNMatrix matrix, booleantype jacobian_ok,
-                            booleantype* jacobian_new, double gamma) noexcept;
+                            booleantype* jacobian_new, double gamma);
+  /// Whether that is why the package's own solver failed.
+  [[nodiscard]] virtual bool out_of_memory() const noexcept { return false; }
 };
 
 /// What SUNDIALS hands to callbacks as user data.
@@ -29,7 +32,20 @@ struct SundialsCallbackData {
   Rhs* rhs = nullptr;
   void* integrator = nullptr;
   SundialsLinearSolver* linear_solver = nullptr;
+  std::exception_ptr thrown;  ///< in a callback
 };
+
+/// Work of a callback. What it throws cannot pass through C: it is kept for whoever called the package, which
+/// is told to give up.
+template <class Work>
+[[nodiscard]] int carried_out(SundialsCallbackData& data, const Work& work) noexcept {
+  try {
+    return work();
+  } catch (...) {
+    data.thrown = std::current_exception();
+    return -1;
+  }
+}
 
 /// Throws std::runtime_error when a SUNDIALS call returned an error flag.
 void check_sundials(int flag, const char* what);

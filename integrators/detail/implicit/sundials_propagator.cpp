@@ -33,7 +33,7 @@ void SundialsPropagator::prepare_vectors(Rhs& rhs, const Task& task) {
   y_.reset(sundials::new_state_vector(rhs.reduction(), context_.get()));
   derivative_.reset(sundials::new_state_vector(rhs.reduction(), context_.get()));
   if (!y_ || !derivative_) throw std::bad_alloc();
-  callback_data_ = {rhs_, this, nullptr};
+  callback_data_ = {rhs_, this, nullptr, nullptr};
   state_.resize(rhs.size());
   has_history_ = false;
 }
@@ -92,6 +92,8 @@ bool SundialsPropagator::is_to_stop() const noexcept {
 
 Outcome SundialsPropagator::failure(const char* package, double t, int flag) const {
   if (is_to_stop()) return interrupted_at(t);
+  if (callback_data_.thrown) std::rethrow_exception(callback_data_.thrown);
+  if (linear_solver_->out_of_memory()) throw std::bad_alloc();
   if (lost_)
     return {Status::failed,
             fmt::format("{} finds no solution of its equations at t = {:.6g} s; take another method", package,
@@ -123,8 +125,11 @@ void SundialsPropagator::record_taylor(double t, int order, ProbeHistory& histor
 int SundialsPropagator::derivative(double t, N_Vector y, N_Vector ydot, void* data) noexcept {
   SundialsPropagator& method = propagator_of(data);
   if (method.is_lost()) return -1;
-  (*static_cast<SundialsCallbackData*>(data)->rhs)(t, sundials::entries(y), sundials::entries(ydot));
-  return 0;
+  auto& callback = *static_cast<SundialsCallbackData*>(data);
+  return carried_out(callback, [&] {
+    (*callback.rhs)(t, sundials::entries(y), sundials::entries(ydot));
+    return 0;
+  });
 }
 
 int SundialsPropagator::weights(N_Vector y, N_Vector inverse, void* data) noexcept {

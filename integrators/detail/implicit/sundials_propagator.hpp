@@ -42,7 +42,7 @@ class SundialsPropagator : public Propagator {
   void take_counts(const PackageCounts& counts);
   /// Takes a vector's entries for the present state.
   void show(N_Vector values);
-  /// A step failed; `flag` is the package's.
+  /// A step failed; `flag` is the package's. Throws what a callback threw, and std::bad_alloc.
   [[nodiscard]] Outcome failure(const char* package, double t, int flag) const;
 
   /// The k-th derivative of the package's interpolant at t into `derivative_`; false = it has none.
