@@ -38,7 +38,7 @@ TEST(PackingCsv, ReadsBackEveryBit) {
     packing.radius.push_back(random.uniform() + 1e-9);
     packing.material.push_back(k == 0 ? 0 : static_cast<std::int32_t>(random.below(2)));
   }
-  packing.material_names = {"NiAl", "pure Al"};
+  packing.material_names = {"NiAl, cast", "1/4\" ball; pure Al"};  // delimiters and a quote
   const test::TemporaryFolder folder;
   const auto read = read_packing(folder.write("p.csv", packing_csv(packing)));
   EXPECT_EQ(read.id, packing.id);

@@ -54,6 +54,13 @@ std::string word_of(double value) {
   return fmt::format("{}", value);
 }
 
+/// Text of a quoted cell, in which a doubled quote stands for one.
+std::string with_single_quotes(std::string_view cell) {
+  std::string out(cell);
+  for (std::size_t k = out.find("\"\""); k != std::string::npos; k = out.find("\"\"", k + 1)) out.erase(k, 1);
+  return out;
+}
+
 /// NaN for what a broken run or a spreadsheet writes where there is no number; nothing for text.
 std::optional<double> value_or_gap(std::string_view cell) {
   if (const auto value = parse_number(cell)) return value;
@@ -166,7 +173,7 @@ void SphereRows::set_material(std::string_view name, std::size_t line) {
   if (type)
     builder_.set_material(std::to_string(*type));  // 2.0 and 2 are one type
   else
-    builder_.set_material(name);
+    builder_.set_material(with_single_quotes(name));
 }
 
 template <class Value>
