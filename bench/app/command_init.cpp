@@ -47,7 +47,12 @@ int execute(const InitCommand& command) {
                     command.packing_file));
   const Packing packing = read_packing(command.packing_file, command.file.reading);
   StarterSettings settings = starter_settings(packing, command.file, command.packing_file);
-  settings.t_end = assess_conduction(packing, command.packing_file, settings).time;
+  PackingConduction conduction = assess_conduction(packing, command.packing_file, settings);
+  if (conduction.all_held) {
+    settings.held_once = true;
+    conduction = assess_conduction(packing, command.packing_file, settings);
+  }
+  settings.t_end = conduction.time;
   settings.file = name_beside(command.packing_file, command.case_file);
   write_file_atomically(command.case_file, starter_case(packing, settings));
   if (!command.common.quiet)

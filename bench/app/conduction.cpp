@@ -130,6 +130,7 @@ PackingConduction assess_conduction(const Packing& packing, const std::string& f
     describe_contacts(packing, contacts, out);
     out.note = "all particles touch an end, where they would be held: nothing lies between";
     out.passes = false;
+    out.all_held = true;
   }
   return out;
 }

@@ -21,8 +21,9 @@ struct PackingConduction {
   std::string basis;                     ///< the length and the cross-section that it is for, in words
   double length = 0, area = 0;           ///< m, m2; 0 where `basis` is empty
   std::optional<double>
-      periodic;        ///< W/(m K), under a mean gradient, where the packing is periodic along the axis
-  bool passes = true;  ///< false where no path of contacts leads from side to side
+      periodic;           ///< W/(m K), under a mean gradient, where the packing is periodic along the axis
+  bool passes = true;     ///< false where no path of contacts leads from side to side
+  bool all_held = false;  ///< layers at both ends leave no particle free
   double time = 0;  ///< s, about what heat needs from one side to the other, or through the slowest particle
   std::string method;  ///< what `auto` would take over that time, and why; empty where no heat passes
 };

@@ -121,6 +121,22 @@ TEST_F(FileReport, ACaseWithoutContactsIsDescribedInNumbers) {
   EXPECT_EQ(out().find("nan"), std::string::npos) << out();
 }
 
+TEST_F(FileReport, StarterCasesOfFewParticlesAndOfColumnsWithGapsRun) {
+  const char* const packings[] = {
+      "x,y,z,radius\n0,0,0,1e-3\n0,0,1.9e-3,1e-3\n",                            // nothing between the ends
+      "x,y,z,radius\n0,0,0,1e-3\n0,0,9e-3,1e-3\n",                              // nor any contact
+      "x,y,z,radius\n0,0,0,1e-3\n1.9e-3,0,0,1e-3\n0,0,9e-3,1e-3\n",             // two in one layer
+      "x,y,z,radius,T\n0,0,0,1e-3,300\n0,0,1.9e-3,1e-3,nan\n0,0,4e-3,1e-3,1\n"  // no temperature of one
+  };
+  int number = 0;
+  for (const char* packing : packings) {
+    folder_.write("p.csv", packing);
+    const std::string name = fmt::format("case{}.toml", number++);
+    ASSERT_EQ(run("init p.csv -o " + name), 0) << packing << err();
+    EXPECT_EQ(run("run " + name), 0) << packing << folder_.read(name) << err();
+  }
+}
+
 TEST_F(FileReport, InitWritesACaseThatRuns) {
   write_dump("pp pp ff");
   ASSERT_EQ(run("init p.dump --conductivity 85 --density 5910 --specific-heat 640 -o sub.toml"), 0) << err();

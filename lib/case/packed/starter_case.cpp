@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 #include <optional>
@@ -29,7 +30,7 @@ std::string toml_string(const std::string& text) {
 }
 
 /// The attribute that holds temperatures, by the names that codes give it: "temperature", "T", LIGGGHTS'
-/// "f_Temp[0]". Nothing where there is none, or several.
+/// "f_Temp[0]". Nothing where there is none, or several, or one with gaps.
 std::optional<std::string> temperature_column(const Packing& packing) {
   std::optional<std::string> found;
   for (const auto& attribute : packing.attributes) {
@@ -38,7 +39,9 @@ std::optional<std::string> temperature_column(const Packing& packing) {
     for (const std::string_view prefix : {"f_", "c_", "v_"})
       if (name.starts_with(prefix)) name.erase(0, prefix.size());
     if (name != "temperature" && name != "temp" && name != "t") continue;
-    if (found || !(unit.empty() || unit == "K")) return std::nullopt;
+    const bool is_whole =
+        std::ranges::all_of(attribute.value, [](double kelvin) { return std::isfinite(kelvin); });
+    if (found || !is_whole || !(unit.empty() || unit == "K")) return std::nullopt;
     found = attribute.name;
   }
   return found;
@@ -155,21 +158,23 @@ class Starter {
       return;
     }
     const auto [low, high] = ends();
-    line(fmt::format("fixed = [ {{ where = {}, value = 393.15 }}, {{ where = {}, value = 293.15 }} ]", high,
-                     low));
+    line(settings_.held_once
+             ? fmt::format("fixed = [ {{ where = {}, value = 393.15 }} ]", high)
+             : fmt::format("fixed = [ {{ where = {}, value = 393.15 }}, {{ where = {}, value = 293.15 }} ]",
+                           high, low));
     line("# source = [ { where = \"all\", value = 1e-6 } ]", "W each");
     line("# convection = [ { where = \"all\", coefficient = 10.0, ambient = 293.15 } ]", "W/(m2 K)");
     line("# radiation = [ { where = \"all\", emissivity = 0.8, ambient = 293.15 } ]",
          "K; temperatures are absolute");
   }
 
-  /// Layers at both ends, or, where those would meet, the outermost particles.
+  /// Layers at both ends, or, where those would meet or leave nothing free, the outermost particles.
   [[nodiscard]] std::pair<std::string, std::string> ends() const {
     const Bounds box = surface_bounds(packing_);
     const double mean = 2 * std::accumulate(packing_.radius.begin(), packing_.radius.end(), 0.0) /
                         static_cast<double>(packing_.size());
     constexpr double room = 2.5;  // mean diameters: two layers of one, and something between
-    if (component(box.max - box.min, axis_) > room * mean)
+    if (!settings_.held_once && component(box.max - box.min, axis_) > room * mean)
       return {fmt::format("\"-{}\"", axis_), fmt::format("\"+{}\"", axis_)};
     const auto before = [&](Vec3 a, Vec3 b) { return component(a, axis_) < component(b, axis_); };
     const auto [low, high] = std::minmax_element(packing_.centre.begin(), packing_.centre.end(), before);

@@ -19,6 +19,8 @@ struct StarterSettings {
   std::string units = "auto";    ///< the same of the unit style
   std::string periodic = "auto";
   double t_end = 1;  ///< s
+  bool held_once =
+      false;  ///< only the outermost particle at one end is held: layers would leave nothing free
   bool given_conductivity = false, given_density = false,
        given_specific_heat = false;  ///< else they are examples
 };
