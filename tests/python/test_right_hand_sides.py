@@ -117,6 +117,13 @@ class RightHandSides(unittest.TestCase):
                 with self.assertRaises(InputError):
                     function(0.0, y)
 
+    def test_imaginary_parts_are_not_left_out(self):
+        scene = network()
+        for call in (scene.rhs, scene.jacobian_data, lambda t, y: scene.values("", t, y)):
+            for y in (scene.y0 + 1e-20j, [str(one) for one in scene.y0]):
+                with self.assertRaisesRegex(InputError, "y is of type .*; it must hold real numbers"):
+                    call(0.0, y)
+
     def test_a_run_leaves_them_as_they_were(self):
         scene = nonlinear()
         before = scene.rhs(0, scene.y0)

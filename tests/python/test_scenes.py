@@ -111,6 +111,13 @@ class WaysToAScene(unittest.TestCase):
         y = np.random.default_rng(0).normal(size=30)
         np.testing.assert_allclose(scene.rhs(0, y), -dense @ y / 2, atol=1e-13)  # sums of some ten terms near 1
 
+    def test_one_number_may_be_one_of_numpy(self):
+        edges, fixed = [[0, 1], [1, 2]], [1.0, np.nan, 0.0]
+        plain = Scene.from_edges(edges, 2.0, capacity=3.0, fixed=fixed, t_end=1.0)
+        for kind in (np.float32, np.int64, np.array):  # the last: without dimensions
+            scene = Scene.from_edges(edges, kind(2), capacity=kind(3), fixed=fixed, t_end=1.0)
+            np.testing.assert_array_equal(scene.rhs(0, scene.y0), plain.rhs(0, plain.y0))
+
     def test_chosen_nodes_have_sources_and_values_that_follow_time(self):
         step = {"times": [0.0, 1.0, 1.0], "values": [4.0, 4.0, 2.0]}
         given = {
@@ -222,6 +229,11 @@ class WhatIsRefused(unittest.TestCase):
         self.refused("no nodes", Scene.from_matrix, ([], [], [0]), t_end=1.0)
         self.refused("capacity is empty", network, capacity=[])
         self.refused("source is empty", network, source=np.zeros(0))
+
+    def test_rows_that_differ_in_length(self):
+        self.refused("the matrix has rows that differ in length", Scene.from_matrix, [[1.0], [1.0, 2.0]], t_end=1.0)
+        self.refused("edges has rows that differ in length", Scene.from_edges, [[0], [0, 1]], 1.0, t_end=1.0)
+        self.refused("edges is no array of integers", Scene.from_edges, (pair for pair in [[0, 1]]), 1.0, t_end=1.0)
 
     def test_dicts_with_wrong_keys_and_values(self):
         good = {"t_end": 1.0, "network": {"edges": [[0, 1]], "conductance": [1.0]}}

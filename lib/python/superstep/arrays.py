@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,35 @@ def refuse_masks(value: Any, what: str, way_out: str = "fill them, or leave them
         raise InputError(f"{what} has masked values; {way_out}")
 
 
+def is_number(value: Any) -> bool:
+    """One real number, of Python or of NumPy."""
+    return isinstance(value, Real) or (isinstance(value, np.ndarray) and value.ndim == 0 and _is_real(value))
+
+
+def as_array(value: Any, what: str) -> NDArray[Any]:
+    """The array that it is, of whatever numbers. Raises InputError for rows that differ in length."""
+    try:
+        return np.asarray(value)
+    except ValueError:
+        raise InputError(f"{what} has rows that differ in length; give an array") from None
+
+
+def real(value: Any, what: str) -> NDArray[Any]:
+    """The array of real numbers that it is: neither masks nor imaginary parts are left out in silence.
+
+    Raises InputError.
+    """
+    refuse_masks(value, what)
+    array = as_array(value, what)
+    if not _is_real(array):
+        raise InputError(f"{what} is of type {array.dtype}; it must hold real numbers")
+    return array
+
+
+def _is_real(array: NDArray[Any]) -> bool:
+    return array.dtype.kind in "biuf"
+
+
 def _is_masked(value: Any) -> bool:
     if isinstance(value, np.ma.MaskedArray):
         return bool(np.ma.is_masked(value))
@@ -37,7 +67,7 @@ def numbers(values: Any, what: str) -> NDArray[np.float64]:
     if isinstance(values, Iterator):  # which can be gone through once only
         values = list(values)
     try:
-        if not isinstance(values, (str, bytes)):
+        if not isinstance(values, (str, bytes)) and not np.iscomplexobj(values):
             return np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
     except (TypeError, ValueError):
         pass

@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._core import InputError
-from .arrays import refuse_masks
+from .arrays import as_array, is_number, refuse_masks
 
 Arrays = dict[str, Any]
 
@@ -25,7 +26,7 @@ def split(case: Mapping[str, Any], name: str) -> tuple[dict[str, Any], Optional[
 def _is_array(value: Any) -> bool:
     """Numbers one after the other, in whatever they come; tables are none."""
     if isinstance(value, np.ndarray):
-        return True
+        return value.ndim > 0
     return (
         isinstance(value, Sequence)
         and not isinstance(value, (str, bytes))
@@ -74,12 +75,12 @@ def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
     if "matrix" in network and not isinstance(network["matrix"], str):
         out.update(_rows(network.pop("matrix"), name))
     elif "edges" in network and not isinstance(network["edges"], str):
-        out["edges"] = network.pop("edges")
+        out["edges"] = as_array(network.pop("edges"), f"{name}: edges")
         if network.get("conductance") is None:
             raise InputError(f"{name}: [network] has edges and no conductance; give one for each edge [W/K or S]")
         conductance = network.pop("conductance")
-        if isinstance(conductance, (int, float)):
-            conductance = np.full(len(out["edges"]), float(conductance))
+        if is_number(conductance):
+            conductance = np.full(out["edges"].shape[:1], float(conductance))
         out["conductance"] = conductance
     arrays = {
         key: network.pop(key) for key in ("capacity", "source", "initial", "fixed") if _is_array(network.get(key))
@@ -96,7 +97,7 @@ def _network(case: dict[str, Any], name: str) -> Optional[Arrays]:
     return {**out, **arrays}
 
 
-def _count(network: dict[str, Any], edges: Any, arrays: Arrays, name: str) -> int:
+def _count(network: dict[str, Any], ends: NDArray[Any], arrays: Arrays, name: str) -> int:
     """Nodes beside edges: as stated, as many as there are values, or up to the last that an edge ends at."""
     if "nodes" in network:
         nodes = network.pop("nodes")
@@ -105,7 +106,6 @@ def _count(network: dict[str, Any], edges: Any, arrays: Arrays, name: str) -> in
         return int(nodes)
     if arrays:
         return len(next(iter(arrays.values())))
-    ends = np.asarray(edges)
     if not ends.size or not np.issubdtype(ends.dtype, np.integer):
         return 0
     last = int(ends.max())
@@ -126,7 +126,9 @@ def _rows(matrix: Any, name: str) -> Arrays:
         if np.size(indptr) < 1:
             raise InputError(f"{name}: the matrix's indptr is empty; it has a number for each row and one more")
         return {"data": data, "indices": indices, "indptr": indptr}
-    shape = tuple(matrix.shape) if hasattr(matrix, "shape") else np.shape(matrix)
+    if not hasattr(matrix, "shape"):
+        matrix = as_array(matrix, f"{name}: the matrix")
+    shape = tuple(matrix.shape)
     if len(shape) != 2 or shape[0] != shape[1]:
         raise InputError(f"{name}: the matrix has the shape {shape}; a network's is square")
     if hasattr(matrix, "tocsr"):

@@ -288,16 +288,14 @@ class Scene:
         t: s; beyond t_end inputs that change in time hold the values that they have there. y: (m,) K or V.
         Raises InputError for another shape.
         """
-        arrays.refuse_masks(y, "y")
-        return self._core.rhs(t, y)
+        return self._core.rhs(t, arrays.real(y, "y"))
 
     def jacobian_data(self, t: float, y: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int32]]:
         """df/dy in compressed columns: data in 1/s, indices, indptr; rows ascend, the diagonal is always there.
 
         Beyond t_end as in ``rhs``.
         """
-        arrays.refuse_masks(y, "y")
-        return self._core.jacobian(t, y)
+        return self._core.jacobian(t, arrays.real(y, "y"))
 
     def jacobian(self, t: float, y: ArrayLike) -> csc_matrix:
         """df/dy as SciPy's sparse matrix (m, m), 1/s, as ``solve_ivp(..., jac=scene.jacobian)`` takes it."""
@@ -311,8 +309,7 @@ class Scene:
 
         A field that is steady is solved for. field: "" = the first. Beyond t_end as in ``rhs``.
         """
-        arrays.refuse_masks(y, "y")
-        return self._core.values_on_nodes(self._index(field), t, y)
+        return self._core.values_on_nodes(self._index(field), t, arrays.real(y, "y"))
 
     def _index(self, field: str) -> int:
         names = [one.name for one in self.fields]
