@@ -153,5 +153,17 @@ current = { lower = 1e4, upper = 1e4 }
   near(Json::parse(out())["pair_oscillation_s"], 2 * hard);
 }
 
+TEST_F(PressFiles, TimesOfWhatNeverHappensAreNotZero) {
+  std::string text = read_text_file(SUPERSTEP_SOURCE_DIR "/cases/sintering_two_particles.toml");
+  for (auto at = text.find("= 1e7"); at != std::string::npos; at = text.find("= 1e7"))
+    text.replace(at, 5, "= 0");
+  folder_.write("still.toml", text);  // neither stiffness nor conductivity
+  ASSERT_EQ(run("info still.toml --json"), 0) << err();
+  const auto info = Json::parse(out());
+  EXPECT_TRUE(info["pair_oscillation_s"].is_null() && info["pair_heat_exchange_s"].is_null()) << info;
+  ASSERT_EQ(run("info still.toml"), 0) << err();
+  EXPECT_NE(out().find("never: nothing repels"), std::string::npos) << out();
+}
+
 }  // namespace
 }  // namespace superstep

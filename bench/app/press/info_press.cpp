@@ -13,6 +13,7 @@
 #include "bench/press/press_forecast.hpp"
 #include "dynamics/heat.hpp"
 #include "dynamics/volume_fraction.hpp"
+#include "results/text/json_numbers.hpp"
 #include "results/text/json_object.hpp"
 
 namespace superstep {
@@ -24,8 +25,8 @@ struct PressFacts {
   double fraction_pressed = 0;  ///< when every particle lies below the lowest wall
   // The fastest there is among pairs of two like each particle, and among particles.
   double joule_rate = 0;       ///< K/s of a particle that carries the largest current; 0 = none
-  double contact_time = 0;     ///< m C/(kappa A/d) of a pair at 10 % overlap [s]
-  double motion_time = 0;      ///< sqrt(m/k) of a pair at 10 % overlap, cold [s]
+  double contact_time = 0;     ///< m C/(kappa A/d) of a pair at 10 % overlap [s]; 0 = nothing conducts
+  double motion_time = 0;      ///< sqrt(m/k) of a pair at 10 % overlap, cold [s]; 0 = nothing repels
   double largest_current = 0;  ///< A
   PressForecast forecast;
 };
@@ -101,9 +102,11 @@ std::string info_text(const Press& one, const PressFacts& facts) {
   line("particle volume, mass", fmt::format("{:.6g} m3, {:.6g} kg", facts.volume, facts.mass));
   line("volume fraction of the box", fmt::format("{:.4f}", facts.fraction_start));
   line("volume fraction, fully pressed", fmt::format("{:.4f}", facts.fraction_pressed));
-  line("oscillation of a pair", fmt::format("{:.4g} s (sqrt(m/k) at 10 % overlap, cold)", facts.motion_time));
-  line("heat exchange of a pair",
-       fmt::format("{:.4g} s (m C d/(kappa A) at 10 % overlap)", facts.contact_time));
+  const auto time_of = [](double seconds, const char* formula, const char* without) {
+    return seconds > 0 ? fmt::format("{:.4g} s ({} at 10 % overlap)", seconds, formula) : without;
+  };
+  line("oscillation of a pair", time_of(facts.motion_time, "sqrt(m/k), cold,", "never: nothing repels"));
+  line("heat exchange of a pair", time_of(facts.contact_time, "m C d/(kappa A)", "never: nothing conducts"));
   if (facts.largest_current > 0)
     line("Joule heat", fmt::format("{:.4g} K/s at {:.4g} A", facts.joule_rate, facts.largest_current));
   line("temperatures taken by", one.stepping.thermal_integrator.empty()
@@ -144,8 +147,8 @@ std::string info_json(const Press& one, const PressFacts& facts) {
       {"mass", facts.mass},
       {"volume_fraction_start", facts.fraction_start},
       {"volume_fraction_pressed", facts.fraction_pressed},
-      {"pair_oscillation_s", facts.motion_time},
-      {"pair_heat_exchange_s", facts.contact_time},
+      {"pair_oscillation_s", positive_or_null(facts.motion_time)},
+      {"pair_heat_exchange_s", positive_or_null(facts.contact_time)},
       {"joule_rate", facts.joule_rate},
       {"thermal_integrator", one.stepping.thermal_integrator},
       {"t_end", one.t_end},
