@@ -83,6 +83,7 @@ Outcome Motion::take_step(double t_out) {
   const double step_at_begin = step_;
   stepper_->stop = stop;
   const double longest = std::min({settings_.largest_step, stepper_->limit(), travel_limit()});
+  if (longest < settings_.smallest_step && longest < end - state_.time) return held_down(longest);
   for (std::int64_t rejections = 0;; ++rejections) {
     const double remaining = end - state_.time;
     double h = fitted(std::min(step_, longest), remaining);
@@ -241,6 +242,25 @@ Outcome Motion::check() const {
                     wall_name(contact.wall), state_.time)};
   }
   return {};
+}
+
+/// Of limits that no attempt has to find.
+Outcome Motion::held_down(double longest) const {
+  const auto fastest = std::ranges::max_element(state_.velocity, {},
+                                                [](const Vec3& velocity) { return dot(velocity, velocity); });
+  const auto k = static_cast<std::size_t>(fastest - state_.velocity.begin());
+  const std::string why =
+      longest == travel_limit()
+          ? fmt::format(
+                "particle {} moves at {:.4g} m/s, beside a smallest radius of {:.3g} m; check velocities "
+                "and their unit",
+                particles_.id[k], norm(*fastest), smallest_radius_)
+          : std::string("contacts are that stiff; soften them, or check masses and radii");
+  return {
+      Status::failed,
+      fmt::format("a step may be no longer than {:.3g} s, below smallest_step = {:.3g} s, at t = {:.6g} s: "
+                  "{}; or allow shorter ones",
+                  longest, settings_.smallest_step, state_.time, why)};
 }
 
 Outcome Motion::collapsed(double h, const Attempt& attempt) const {

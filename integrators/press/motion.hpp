@@ -96,6 +96,7 @@ class Motion {
   void accept(const Phase& phase, double h, const Attempt& attempt, std::int64_t rejections, bool landed);
   [[nodiscard]] bool correct_heat(double h, double& heat_added);
   [[nodiscard]] Outcome check() const;
+  [[nodiscard]] Outcome held_down(double longest) const;
   [[nodiscard]] Outcome collapsed(double h, const Attempt& attempt) const;
   void record_temperatures(HistoryRow& row) const;
   void record(const Phase& phase, double h, std::int64_t iterations, std::int64_t rejections);

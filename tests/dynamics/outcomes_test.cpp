@@ -51,6 +51,37 @@ TEST(Outcomes, StepCollapseNamesTheParticleAndKeepsTheState) {
   EXPECT_GT(motion.state().time, 0.02) << "free flight was no trouble";
 }
 
+TEST(Outcomes, ALimitBelowTheSmallestStepIsAFailureAtOnce) {
+  for (const auto scheme : {SteppingSettings::Scheme::staggered, SteppingSettings::Scheme::plain}) {
+    SteppingSettings settings;
+    settings.scheme = scheme;
+    Cloud cloud;
+    cloud.add({-0.07, 0, 0});
+    cloud.add({0.07, 0, 0}, {0, 1e9, 0});  // 0.03 m in a step: 3e-11 s
+    const Model model = quiet_model();
+    Motion fast(model, cloud.particles, settings);
+    fast.start(cloud.state);
+    const Outcome of_speed = fast.advance(0.1);
+    EXPECT_EQ(of_speed.status, Status::failed);
+    EXPECT_TRUE(contains(of_speed.reason, "particle 1 moves at 1e+09 m/s")) << of_speed.reason;
+    EXPECT_EQ(fast.history().size(), 1U);
+    EXPECT_TRUE(fast.advance(1e-11).ok()) << "what is left is short enough";
+
+    cloud.state.velocity[1] = {};
+    Model stiff = quiet_model();
+    stiff.contact.stiffness = 1e22;  // steps of some 1e-10 s
+    Motion hard(stiff, cloud.particles, settings);
+    hard.start(cloud.state);
+    const Outcome of_stiffness = hard.advance(0.1);
+    EXPECT_EQ(of_stiffness.status, Status::failed);
+    EXPECT_TRUE(contains(of_stiffness.reason, "contacts are that stiff")) << of_stiffness.reason;
+    settings.smallest_step = 1e-14;
+    Motion allowed(stiff, cloud.particles, settings);
+    allowed.start(cloud.state);
+    EXPECT_TRUE(allowed.advance(1e-8).ok());
+  }
+}
+
 TEST(Outcomes, CoincidentCentresAreOneClearFailure) {
   for (const auto scheme : {SteppingSettings::Scheme::staggered, SteppingSettings::Scheme::plain}) {
     const Model model = quiet_model();
