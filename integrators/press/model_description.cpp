@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text/append.hpp"
@@ -116,6 +118,18 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
+/// Two lines as a message quotes them: of long ones the first word, and where they differ.
+std::pair<std::string, std::string> both_in_quotes(std::string_view a, std::string_view b) {
+  constexpr std::size_t shown = 40, before = 20;
+  const auto differ = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+  const std::size_t tail = differ > shown ? a.find(' ', differ - before) : std::string_view::npos;
+  const auto shortened = [&](std::string_view line) {
+    if (tail >= differ) return in_quotes(line);
+    return in_quotes(fmt::format("{} ...{}", line.substr(0, line.find(' ')), line.substr(tail)));
+  };
+  return {shortened(a), shortened(b)};
+}
+
 }  // namespace
 
 std::string model_description(const Model& model, double t) {
@@ -132,10 +146,11 @@ void require_same_model(const Checkpoint& stored, const Model& model, const std:
   std::string_view there = stored.model, here = description;
   while (!there.empty() || !here.empty()) {
     const auto was = take_line(there), is = take_line(here);
-    if (was != is)
-      throw InputError(
-          fmt::format("{}: was written with {}, and {} has {}; restart with the case that wrote it", file,
-                      in_quotes(was), case_file, in_quotes(is)));
+    if (was == is) continue;
+    const auto [stood, stands] = both_in_quotes(was, is);
+    throw InputError(
+        fmt::format("{}: was written with {}, and {} has {}; restart with the case that wrote it", file,
+                    stood, case_file, stands));
   }
   const auto phases = static_cast<std::int64_t>(model.schedule.phases().size());
   for (const auto& row : stored.history)

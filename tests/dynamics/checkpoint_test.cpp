@@ -126,6 +126,28 @@ TEST(ModelDescription, TellsPressesApartButNotWhatIsStillToCome) {
   EXPECT_FALSE(differs([](Model& m) { m.electric.tolerance *= 0.1; })) << "of the method";
 }
 
+TEST(ModelDescription, AMessageShowsWhereLongLinesDiffer) {
+  const BusyPress press;
+  Model other = press.model;
+  auto phases = other.schedule.phases();
+  phases.back().upper_wall -= 0.05;
+  other.schedule = Schedule(std::move(phases));
+  Model law = press.model;
+  law.electric.saturation = {1.0 / 3, 2.0 / 3, 1e3 / 3, 1.0 / 7, 2.0 / 7, 3.0 / 7};
+  Model other_law = law;
+  other_law.electric.saturation.reference_field = 4.0 / 7;
+  const auto refusal = [](const Model& before, const Model& after) {
+    Checkpoint stored;
+    stored.model = model_description(before, 0.015);
+    return test::message_of<InputError>([&] { require_same_model(stored, after, "c.bin", "case.toml"); });
+  };
+  const std::string of_wall = refusal(press.model, other), of_law = refusal(law, other_law);
+  EXPECT_NE(of_wall.find("'dynamics.phases.lowest ... refers to = 0.3'"), std::string::npos) << of_wall;
+  EXPECT_NE(of_wall.find("refers to = 0.25'"), std::string::npos) << of_wall;
+  EXPECT_NE(of_law.find("0.428571"), std::string::npos) << of_law;
+  EXPECT_NE(of_law.find("0.571428"), std::string::npos) << of_law;
+}
+
 TEST(ModelDescription, AHistoryWithPhasesThatACaseLacksIsRefused) {
   const BusyPress press;
   Checkpoint stored{press.cloud.particles, press.cloud.state, 1e-3, {}, ""};
