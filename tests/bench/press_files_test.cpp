@@ -153,6 +153,12 @@ current = { lower = 1e4, upper = 1e4 }
   near(Json::parse(out())["pair_oscillation_s"], 2 * hard);
 }
 
+TEST_F(PressFiles, AnExportIsNotWrittenOverItsCase) {
+  EXPECT_EQ(run("run press.toml --export-packing ./press.toml"), 2);
+  EXPECT_NE(err().find("is the case itself"), std::string::npos) << err();
+  EXPECT_EQ(folder_.read("press.toml"), text_);
+}
+
 TEST_F(PressFiles, TimesOfWhatNeverHappensAreNotZero) {
   std::string text = read_text_file(SUPERSTEP_SOURCE_DIR "/cases/sintering_two_particles.toml");
   for (auto at = text.find("= 1e7"); at != std::string::npos; at = text.find("= 1e7"))

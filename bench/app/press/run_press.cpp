@@ -272,6 +272,10 @@ int run_press(const RunCommand& command, const Press& press, double cpu_setup) {
   refuse_for_moving("run", still, press.file);
   if (!command.export_packing.empty() && command.integrators.size() > 1)
     throw UsageError("run: --export-packing takes one run; give one --integrator");
+  std::error_code ignored;  // what is not there yet is another file
+  if (std::filesystem::equivalent(command.export_packing, press.file, ignored))
+    throw UsageError(
+        fmt::format("run: --export-packing {} is the case itself; name another file", press.file));
   catch_interrupts();
   const std::string out = command.out.empty() ? default_output_folder(press.name) : command.out;
   const auto specs = command.integrators.empty() ? std::vector<std::string>{""} : command.integrators;
