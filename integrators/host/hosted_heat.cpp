@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/inputs/workable_times.hpp"
 #include "core/error.hpp"
 #include "core/index.hpp"
 #include "network/graph.hpp"
@@ -13,14 +14,18 @@
 namespace superstep {
 namespace {
 
+/// As in a case: beyond, squares of what solvers form leave the range of a double.
+constexpr double largest = largest_number, smallest = 1 / largest_number;
+
 void require_values(const char* what, std::span<const double> values, std::size_t particles, bool positive) {
   if (values.size() != particles)
     throw InputError(
         fmt::format("HostedHeat: {} {} for {} particles; give one for each", values.size(), what, particles));
+  const double least = positive ? smallest : -largest;
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (!std::isfinite(values[k]) || (positive && !(values[k] > 0)))
-      throw InputError(fmt::format("HostedHeat: value {} of {} is {}; it must be finite{}", k, what,
-                                   values[k], positive ? " and > 0" : ""));
+    if (!(values[k] >= least && values[k] <= largest))
+      throw InputError(fmt::format("HostedHeat: value {} of {} is {}; it must lie between {:g} and {:g}", k,
+                                   what, values[k], least, largest));
 }
 
 bool same_pair(const HostedHeat::Contact& a, const HostedHeat::Contact& b) noexcept {
@@ -59,11 +64,11 @@ void HostedHeat::set_contacts(std::span<const Contact> contacts) {
     if (i < 0 || j < 0 || i >= n || j >= n || i == j)
       throw InputError(fmt::format("HostedHeat: contact {} joins {} and {}; it must join two of {} particles",
                                    k, i, j, n));
-    if (!std::isfinite(conductance) || conductance < 0)
-      throw InputError(
-          fmt::format("HostedHeat: contact {} ({}-{}) has conductance {}; it must be finite and "
-                      ">= 0 [W/K]",
-                      k, i, j, conductance));
+    if (conductance != 0 && !(conductance >= smallest && conductance <= largest))
+      throw InputError(fmt::format(
+          "HostedHeat: contact {} ({}-{}) has conductance {}; it must be 0, or lie between {:g} and "
+          "{:g} [W/K]",
+          k, i, j, conductance, smallest, largest));
     if (conductance > 0) ++conducting;
   }
   bool same_places = conducting == contacts_.size(), same_values = true;
@@ -111,9 +116,10 @@ void HostedHeat::require(std::size_t particle) const {
 
 void HostedHeat::hold(std::size_t particle, double temperature) {
   require(particle);
-  if (!std::isfinite(temperature))
+  if (!(std::abs(temperature) <= largest))
     throw InputError(
-        fmt::format("HostedHeat: particle {} is to be held at {}; it must be finite", particle, temperature));
+        fmt::format("HostedHeat: particle {} is to be held at {}; it must not exceed {:g} in size", particle,
+                    temperature, largest));
   if (!is_held(particle)) {
     order_.clear();
     spoil(Stale::structure);
@@ -235,8 +241,7 @@ double HostedHeat::share(double dt) const noexcept {
 }
 
 Outcome HostedHeat::advance_temperatures(double dt) {
-  if (!(std::isfinite(dt) && dt > 0))
-    throw InputError(fmt::format("HostedHeat: dt is {}; it must be finite and > 0 [s]", dt));
+  if (const auto rule = unworkable_time("dt =", dt); !rule.empty()) throw InputError("HostedHeat: " + rule);
   if (temperature_.empty()) return {};
   if (stale_ == Stale::structure) build();
   if (stale_ == Stale::values) fill();

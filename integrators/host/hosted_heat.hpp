@@ -12,7 +12,8 @@
 /// contacts with the same conductances keep the method prepared, the same contacts with others keep their
 /// places in the network, other contacts between the same particles keep, for a while, its order. The network
 /// is linear and its inputs stand: `exponential` has the fewest sweeps. Walls are particles that are held.
-/// Bad input throws InputError and changes nothing.
+/// Bad input throws InputError and changes nothing: numbers that are not finite, too, and those beyond 1e-40
+/// to 1e40, with which not every method can compute.
 
 #include <algorithm>
 #include <cstdint>

@@ -239,18 +239,21 @@ TEST(HostedHeat, BadInputIsRefusedAndChangesNothing) {
   EXPECT_THROW(HostedHeat(two, std::vector{1.0}), InputError);
   EXPECT_THROW(HostedHeat(std::vector{1.0, 0.0}, two), InputError);
   EXPECT_THROW(HostedHeat(two, std::vector{1.0, std::nan("")}), InputError);
+  EXPECT_THROW(HostedHeat(std::vector{1.0, 1e-300}, two), InputError);
+  EXPECT_THROW(HostedHeat(two, std::vector{1.0, -1e300}), InputError);
   EXPECT_THROW(HostedHeat(two, two, "rkx"), UsageError);
   HostedHeat heat(two, two, "exponential:rtol=1e-10");
   heat.set_contacts(std::vector<Contact>{{0, 1, 1.0}});
-  for (const Contact& wrong : {Contact{0, 2, 1.0}, Contact{-1, 0, 1.0}, Contact{1, 1, 1.0},
-                               Contact{0, 1, -1.0}, Contact{0, 1, std::nan("")}})
+  for (const Contact& wrong :
+       {Contact{0, 2, 1.0}, Contact{-1, 0, 1.0}, Contact{1, 1, 1.0}, Contact{0, 1, -1.0},
+        Contact{0, 1, std::nan("")}, Contact{0, 1, 1e300}, Contact{0, 1, 1e-300}})
     EXPECT_THROW(heat.set_contacts(std::vector{wrong}), InputError);
   EXPECT_THROW(heat.hold(2, 1), InputError);
   EXPECT_THROW(heat.hold(0, std::nan("")), InputError);
   EXPECT_THROW(heat.release(2), InputError);
   EXPECT_THROW(heat.set_sources(std::vector{1.0}), InputError);
   EXPECT_THROW(heat.set_span(0), InputError);
-  for (const double dt : {0.0, -1.0, std::nan("")})
+  for (const double dt : {0.0, -1.0, std::nan(""), 1e-300, 1e300})
     EXPECT_THROW((void)heat.advance_temperatures(dt), InputError);
   ASSERT_TRUE(heat.advance_temperatures(1e3).ok());
   EXPECT_NEAR(heat.temperatures()[0], 5.0 / 3, 1e-8)
