@@ -255,7 +255,8 @@ Outcome Motion::held_down(double longest) const {
                 "particle {} moves at {:.4g} m/s, beside a smallest radius of {:.3g} m; check velocities "
                 "and their unit",
                 particles_.id[k], norm(*fastest), smallest_radius_)
-          : std::string("contacts are that stiff; soften them, or check masses and radii");
+          : std::string(
+                "contacts, friction or drag are that stiff; soften them, or check radii and densities");
   return {
       Status::failed,
       fmt::format("a step may be no longer than {:.3g} s, below smallest_step = {:.3g} s, at t = {:.6g} s: "

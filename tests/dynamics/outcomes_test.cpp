@@ -74,7 +74,7 @@ TEST(Outcomes, ALimitBelowTheSmallestStepIsAFailureAtOnce) {
     hard.start(cloud.state);
     const Outcome of_stiffness = hard.advance(0.1);
     EXPECT_EQ(of_stiffness.status, Status::failed);
-    EXPECT_TRUE(contains(of_stiffness.reason, "contacts are that stiff")) << of_stiffness.reason;
+    EXPECT_TRUE(contains(of_stiffness.reason, "drag are that stiff")) << of_stiffness.reason;
     settings.smallest_step = 1e-14;
     Motion allowed(stiff, cloud.particles, settings);
     allowed.start(cloud.state);
