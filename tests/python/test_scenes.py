@@ -235,6 +235,15 @@ class WhatIsRefused(unittest.TestCase):
         self.refused("edges has rows that differ in length", Scene.from_edges, [[0], [0, 1]], 1.0, t_end=1.0)
         self.refused("edges is no array of integers", Scene.from_edges, (pair for pair in [[0, 1]]), 1.0, t_end=1.0)
 
+    def test_names_of_particles_and_columns(self):
+        centres, radii = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.9]], [1.0, 1.0]
+        tables = {key: 1.0 for key in ("conductivity", "density", "specific_heat", "t_end")}
+        for wrong in ("ab", None, [["a", "b"]]):  # a text as long as the packing names nobody
+            case = {"packing": {"materials": wrong}}
+            self.refused("materials has the shape", Scene.from_spheres, centres, radii, **tables, case=case)
+        case = {"packing": {"attributes": {1: [0.0, 0.0]}}}
+        self.refused("a key of attributes is 1", Scene.from_spheres, centres, radii, **tables, case=case)
+
     def test_dicts_with_wrong_keys_and_values(self):
         good = {"t_end": 1.0, "network": {"edges": [[0, 1]], "conductance": [1.0]}}
         Scene.from_dict(good)

@@ -47,11 +47,17 @@ def _spheres(case: dict[str, Any], name: str) -> Optional[Arrays]:
             raise InputError(f"{name}: [packing] has no {key}; give centres (n, 3) and radii (n,)")
     spheres = {key: packing.pop(key) for key in ("centres", "radii", "ids") if key in packing}
     if "materials" in packing:
-        spheres["materials"] = [str(one) for one in packing.pop("materials")]
+        names = as_array(packing.pop("materials"), f"{name}: materials")
+        if names.ndim != 1:
+            raise InputError(f"{name}: materials has the shape {names.shape}; it must be (n,), a name each")
+        spheres["materials"] = [str(one) for one in names]
     attributes = packing.pop("attributes", {})
     if not isinstance(attributes, Mapping):
         raise InputError(f"{name}: [packing] attributes is of type {type(attributes).__name__}; it must be a dict")
     attributes = dict(attributes)
+    for key in attributes:
+        if not isinstance(key, str):
+            raise InputError(f"{name}: a key of attributes is {key!r}; keys must be strings")
     for field in ("thermal", "electric"):  # values at the start are a column that nobody else has
         table = case.get(field)
         if isinstance(table, dict) and _is_array(table.get("initial")):
