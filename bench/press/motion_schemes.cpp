@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
@@ -62,6 +64,9 @@ SteppingSettings staggered(const Press& one, double tolerance, double largest_st
   settings.scheme = SteppingSettings::Scheme::staggered;
   settings.tolerance_position = settings.tolerance_temperature = tolerance;
   settings.largest_step = settings.first_step = largest_step;
+  // The case says when its own steps have failed; these are shorter.
+  constexpr double far_below = 1e-3;
+  settings.smallest_step = std::min(settings.smallest_step, far_below * largest_step);
   return settings;
 }
 
@@ -78,6 +83,7 @@ SteppingSettings plain(const Press& one, double fraction) {
   SteppingSettings settings = one.stepping;
   settings.scheme = SteppingSettings::Scheme::plain;
   settings.fraction = fraction;
+  settings.smallest_step *= std::min(fraction, 1.0);
   return settings;
 }
 
@@ -111,8 +117,10 @@ MotionComparison compare_motion_schemes(const Press& one, Progress& progress) {
     MotionRow row = std::move(finished.row);
     row.scheme = scheme;
     row.settings = std::move(settings);
-    row.error_position = rms_distance(finished.state, exact.state);
-    row.error_temperature = rms_temperature(finished.state, exact.state);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const bool is_there = finished.outcome.ok();
+    row.error_position = is_there ? rms_distance(finished.state, exact.state) : none;
+    row.error_temperature = is_there ? rms_temperature(finished.state, exact.state) : none;
     result.rows.push_back(std::move(row));
   };
   const double largest = one.stepping.largest_step;
@@ -133,10 +141,11 @@ std::string motion_table(const MotionComparison& comparison) {
       comparison.reference_error);
   text += fmt::format("{:<10} {:<36} {:<8} {:>8} {:>9} {:>10} {:>9} {:>10} {:>10}\n", "scheme", "settings",
                       "status", "steps", "restarts", "force eval", "CPU [s]", "error [m]", "error [K]");
+  const auto shown = [](double error) { return std::isnan(error) ? "-" : fmt::format("{:.2e}", error); };
   for (const auto& row : comparison.rows)
-    text += fmt::format("{:<10} {:<36} {:<8} {:>8} {:>9} {:>10} {:>9.3g} {:>10.2e} {:>10.2e}\n", row.scheme,
+    text += fmt::format("{:<10} {:<36} {:<8} {:>8} {:>9} {:>10} {:>9.3g} {:>10} {:>10}\n", row.scheme,
                         row.settings, row.status, row.steps, row.rejected, row.force_evaluations, row.cpu,
-                        row.error_position, row.error_temperature);
+                        shown(row.error_position), shown(row.error_temperature));
   return text;
 }
 
@@ -144,11 +153,12 @@ std::string motion_csv(const Press& one, const MotionComparison& comparison) {
   std::string out =
       "case,scheme,settings,status,reason,begin,end,steps,rejected,force_evaluations,cpu_stepping_s,"
       "error_position_rms,error_temperature_rms,reference_error_position\n";
+  const auto cell = [](double error) { return std::isnan(error) ? std::string() : csv_cell(error); };
   for (const auto& row : comparison.rows)
     append(out, "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(one.name), row.scheme,
            csv_cell(row.settings), row.status, csv_cell(row.reason), comparison.begin, comparison.end,
-           row.steps, row.rejected, row.force_evaluations, row.cpu, row.error_position, row.error_temperature,
-           comparison.reference_error);
+           row.steps, row.rejected, row.force_evaluations, row.cpu, cell(row.error_position),
+           cell(row.error_temperature), comparison.reference_error);
   return out;
 }
 

@@ -15,8 +15,9 @@ struct MotionRow {
   std::uint64_t steps = 0, rejected = 0;
   std::uint64_t force_evaluations = 0;  ///< of attempts that were accepted
   double cpu = 0;                       ///< s
-  double error_position = 0;            ///< rms distance of the particles from the reference at the end [m]
-  double error_temperature = 0;         ///< rms [K]
+  // NaN unless the status is ok: a scheme that did not come to the end has no error there.
+  double error_position = 0;     ///< rms distance of the particles from the reference at the end [m]
+  double error_temperature = 0;  ///< rms [K]
 };
 
 struct MotionComparison {

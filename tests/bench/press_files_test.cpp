@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "bench/press/motion_schemes.hpp"
 #include "support/program_fixture.hpp"
 #include "support/small_press.hpp"
 
@@ -157,6 +159,22 @@ TEST_F(PressFiles, AnExportIsNotWrittenOverItsCase) {
   EXPECT_EQ(run("run press.toml --export-packing ./press.toml"), 2);
   EXPECT_NE(err().find("is the case itself"), std::string::npos) << err();
   EXPECT_EQ(folder_.read("press.toml"), text_);
+}
+
+TEST_F(PressFiles, SchemesAreComparedWithStepsBelowTheSmallestOfTheCase) {
+  folder_.write("coarse.toml", text_ + "[dynamics.stepping]\nsmallest_step = 1e-5\n");
+  ASSERT_EQ(run("bench coarse.toml --repetitions 1 --out coarse"), 0) << err();  // its reference: 1.25e-6 s
+  EXPECT_EQ(folder_.read("coarse/motion.csv").find(",failed,"), std::string::npos) << out();
+}
+
+TEST_F(PressFiles, ASchemeThatDidNotComeToTheEndHasNoErrorThere) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  MotionComparison comparison;
+  MotionRow& row = comparison.rows.emplace_back();
+  row.error_position = row.error_temperature = none;
+  EXPECT_EQ(motion_table(comparison).find("nan"), std::string::npos) << motion_table(comparison);
+  const std::string csv = motion_csv(load_press(folder_.file("press.toml")), comparison);
+  EXPECT_NE(csv.find("0,0,,,0\n"), std::string::npos) << csv;
 }
 
 TEST_F(PressFiles, TimesOfWhatNeverHappensAreNotZero) {
