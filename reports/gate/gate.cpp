@@ -24,13 +24,14 @@ class Judge {
   GateReport run() {
     report_.results = now_.path;
     report_.baseline = baseline_.path;
-    comparable_ = now_.processor == baseline_.processor && now_.flags == baseline_.flags &&
-                  now_.threads == baseline_.threads;
-    if (!comparable_)
+    same_build_ = now_.flags == baseline_.flags && now_.threads == baseline_.threads;
+    same_machine_ = same_build_ && now_.processor == baseline_.processor;
+    if (!same_machine_)
       report_.notes.push_back(fmt::format(
-          "CPU times are not judged: processor, flags or threads differ ('{}', '{}', {} against "
+          "CPU times{} are not judged: processor, flags or threads differ ('{}', '{}', {} against "
           "'{}', '{}', {}).",
-          now_.processor, now_.flags, now_.threads, baseline_.processor, baseline_.flags, baseline_.threads));
+          same_build_ ? "" : " and memory", now_.processor, now_.flags, now_.threads, baseline_.processor,
+          baseline_.flags, baseline_.threads));
     for (const auto* file : {&now_, &baseline_}) {
       if (file->interrupted)
         report_.notes.push_back(
@@ -71,15 +72,21 @@ class Judge {
       return add("status", before.status, now->status,
                  now->status == "ok" ? GateVerdict::better : GateVerdict::regressed);
     ++report_.passed;
-    if (before.status != "ok") return;
+    if (before.status != "ok" && before.status != "inaccurate") return;  // it did not come to its end
     for (const char* counter : counter_columns) judge_counter(counter, before, *now);
     for (const std::string field : {"", "_potential"}) {
       for (const char* error : error_columns)
         judge_error(error + field, "reference_error" + field, before, *now);
       judge_balance("balance" + field, before, *now);
+      judge_overshoot("overshoot" + field, "span" + field, before, *now);
     }
     const bool counted = judge_instructions(before, *now);
-    if (comparable_) judge_time(case_before, before, case_now, *now, counted);
+    const auto of = [](const MeasuredRow& row) { return row.number("processes").value_or(1); };
+    if (of(before) != of(*now))
+      return add("CPU and memory", quantity(static_cast<std::size_t>(of(before)), "process"),
+                 quantity(static_cast<std::size_t>(of(*now)), "process"), GateVerdict::not_judged);
+    if (same_build_) judge_memory(before, *now);
+    if (same_machine_) judge_time(case_before, before, case_now, *now, counted);
   }
 
   void judge_counter(const std::string& what, const MeasuredRow& before, const MeasuredRow& now) {
@@ -118,6 +125,31 @@ class Judge {
     add(what, shown(a), shown(b), worse ? GateVerdict::regressed : GateVerdict::passed);
   }
 
+  void judge_overshoot(const std::string& what, const std::string& span, const MeasuredRow& before,
+                       const MeasuredRow& now) {
+    const auto a = before.number(what), b = now.number(what), scale = before.number(span);
+    if (!a || !b || !scale) return;
+    const double slack = limits_.overshoot * *scale;
+    const auto exceeds = [&](double one, double other) { return one > other * (1 + limits_.errors) + slack; };
+    add(what, shown(a), shown(b),
+        exceeds(*b, *a)   ? GateVerdict::regressed
+        : exceeds(*a, *b) ? GateVerdict::better
+                          : GateVerdict::passed);
+  }
+
+  void judge_memory(const MeasuredRow& before, const MeasuredRow& now) {
+    const std::string what = "peak_memory_mb";
+    const auto a = before.number(what), b = now.number(what);
+    if (!a || !b) return;
+    const auto exceeds = [&](double one, double other) {
+      return one > other * (1 + limits_.memory) && one > other + limits_.memory_mb;
+    };
+    add(what, shown(a), shown(b),
+        exceeds(*b, *a)   ? GateVerdict::regressed
+        : exceeds(*a, *b) ? GateVerdict::better
+                          : GateVerdict::passed);
+  }
+
   /// True when counts say whether the row has become slower: a time that cannot tell is then no matter.
   bool judge_instructions(const MeasuredRow& before, const MeasuredRow& now) {
     const std::string what = "instructions";
@@ -140,6 +172,8 @@ class Judge {
                   const MeasuredRow& now, bool counted) {
     const GateVerdict untold = counted ? GateVerdict::not_judged : GateVerdict::inconclusive;
     const std::string what = before.spec == case_before.baseline ? "CPU in yardsticks" : "CPU to baseline";
+    if (case_before.baseline != case_now.baseline)
+      return add(what, "to " + case_before.baseline, "to " + case_now.baseline, untold);
     const auto a = relative_timings(case_before, before), b = relative_timings(case_now, now);
     if (const auto doubt = doubt_about(a, b, limits_.timing)) return add_doubt(what, a, b, *doubt, untold);
     const auto ratio = slowdown(b, a);
@@ -201,7 +235,7 @@ class Judge {
   const ResultsFile &now_, &baseline_;
   const std::function<bool(const std::string&)>& is_adaptive_;
   const GateLimits& limits_;
-  bool comparable_ = false, measured_ = true, counted_ = false;
+  bool same_build_ = false, same_machine_ = false, measured_ = true, counted_ = false;
   std::string case_, spec_;
   std::vector<std::string> not_measured_;  // methods of the baseline
   GateReport report_;

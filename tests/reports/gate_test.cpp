@@ -188,6 +188,48 @@ TEST(Gate, TimesThatAnInterruptCutShortCannotBeTold) {
   EXPECT_EQ(gate(now, measured({}, 1)).verdict, GateVerdict::inconclusive);
 }
 
+TEST(Gate, FailsOnMoreMemoryThanRunsVaryBy) {
+  const auto with = [](double memory, unsigned seed) {
+    auto file = measured({}, seed);
+    for (auto& row : file.cases[0].rows) row.numbers["peak_memory_mb"] = memory;
+    return file;
+  };
+  EXPECT_EQ(gate(with(23, 2), with(16, 1)).verdict, GateVerdict::passed) << "libraries, other methods";
+  EXPECT_EQ(gate(with(1090, 2), with(1000, 1)).verdict, GateVerdict::passed);
+  EXPECT_EQ(gate(measured({}, 2), with(1000, 1)).verdict, GateVerdict::passed) << "nobody recorded it";
+  const auto report = gate(with(1110, 2), with(1000, 1));
+  EXPECT_EQ(report.verdict, GateVerdict::regressed);
+  EXPECT_TRUE(mentions(report, "peak_memory_mb", GateVerdict::regressed));
+  EXPECT_TRUE(mentions(gate(with(500, 2), with(1000, 1)), "peak_memory_mb", GateVerdict::better));
+  auto threads = with(2000, 2);
+  threads.threads = 8;
+  EXPECT_EQ(gate(threads, with(1000, 1)).verdict, GateVerdict::passed) << "each thread has its stack";
+}
+
+TEST(Gate, FailsWhereARangeIsLeftFurther) {
+  const auto with = [](double overshoot, unsigned seed) {
+    auto file = measured({}, seed);
+    file.cases[0].rows[1].numbers["overshoot"] = overshoot;
+    file.cases[0].rows[1].numbers["span"] = 10;
+    return file;
+  };
+  EXPECT_EQ(gate(with(1e-6, 2), with(0, 1)).verdict, GateVerdict::passed) << "a ten-millionth of the span";
+  EXPECT_EQ(gate(with(0.0515, 2), with(0.05, 1)).verdict, GateVerdict::passed);
+  const auto report = gate(with(0.06, 2), with(0.05, 1));
+  EXPECT_EQ(report.verdict, GateVerdict::regressed);
+  EXPECT_TRUE(mentions(report, "overshoot", GateVerdict::regressed));
+}
+
+TEST(Gate, TimesInOtherUnitsAreNoRegression) {
+  const auto before = measured({}, 1);
+  auto now = measured({}, 2);
+  now.cases[0].baseline = "rkc:rtol=1e-4";  // forward Euler takes ten times as long
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::inconclusive) << gate_markdown(gate(now, before));
+  now = measured({.sweep = 2}, 2);
+  for (auto& row : now.cases[0].rows) row.numbers["processes"] = 2;  // their times are added up
+  EXPECT_EQ(gate(now, before).verdict, GateVerdict::passed) << gate_markdown(gate(now, before));
+}
+
 TEST(Gate, WhatFailsIsARegression) {
   const auto before = measured({}, 1);
   auto now = before;
@@ -199,6 +241,17 @@ TEST(Gate, WhatFailsIsARegression) {
   now.cases.clear();
   EXPECT_EQ(gate(now, before).verdict, GateVerdict::inconclusive) << "a case is not measured";
   EXPECT_EQ(gate(before, now).verdict, GateVerdict::inconclusive) << "nothing to compare is not a pass";
+}
+
+TEST(Gate, WhatIsInaccurateIsJudgedLikeWhatIsNot) {
+  auto before = measured({}, 1), now = measured({.error = 10}, 2);
+  for (auto* file : {&before, &now}) file->cases[0].rows[1].status = "inaccurate";
+  EXPECT_EQ(gate(before, before).verdict, GateVerdict::passed);
+  const auto report = gate(now, before);
+  int errors = 0;
+  for (const auto& finding : report.findings)
+    errors += finding.spec == "rkc:rtol=1e-4" && finding.what == "error_rms" ? 1 : 0;
+  EXPECT_EQ(errors, 1) << gate_markdown(report);
 }
 
 TEST(Gate, LessWorkPassesAndAsksForANewBaseline) {
