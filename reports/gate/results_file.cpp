@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
 #include "results/results_json.hpp"
+#include "results/same_case.hpp"
 #include "results/text/json_object.hpp"
 
 namespace superstep {
@@ -56,7 +57,7 @@ MeasuredRow row_of(const JsonObject& json) {
 }
 
 ResultsFile read_from(const std::string& path) {
-  (void)read_results_json(path);  // refuses what bench cannot have written
+  BenchReport report = read_results_json(path);  // refuses what bench cannot have written
   const auto parsed = parse_results(path, schema_of_results, results_schema_version);
   const JsonObject json(path, parsed);
   ResultsFile file;
@@ -77,7 +78,9 @@ ResultsFile read_from(const std::string& path) {
   file.interrupted = json.flag("interrupted");
   if (!json.find("cases")) json.reject("cases", "it must list what was measured");
   for (const auto& entry : json.objects("cases")) {
-    MeasuredCase one{required(entry, "case"), required(entry, "baseline"), {}};
+    MeasuredCase one{required(entry, "case"), required(entry, "baseline"), {}, {}};
+    one.head = std::move(report.cases[file.cases.size()]);
+    one.head.rows.clear();
     if (!entry.find("rows")) entry.reject("rows", "it must list the methods");
     for (const auto& object : entry.objects("rows"))
       if (MeasuredRow row = row_of(object); was_reached(object, row, file.interrupted))
@@ -106,15 +109,12 @@ const MeasuredCase* ResultsFile::find(const std::string& name) const {
 
 const MeasuredCase* ResultsFile::find_same(const MeasuredCase& one, const std::string& other_path) const {
   const MeasuredCase* here = find(one.name);
-  if (here == nullptr || here->rows.empty() || one.rows.empty()) return here;
-  for (const char* fact : {"nodes", "contacts", "t_end"}) {
-    const auto a = here->rows.front().number(fact), b = one.rows.front().number(fact);
-    if (a && b && *a != *b)
-      throw InputError(
-          fmt::format("{}: case '{}' has {} = {}, and {} in {}: they are two cases of one name; "
-                      "measure one of them again, or rename it",
-                      path, one.name, fact, *a, *b, other_path));
-  }
+  if (here == nullptr) return here;
+  if (const auto difference = difference_of(here->head, one.head); !difference.empty())
+    throw InputError(fmt::format(
+        "{}: case '{}' has {} in {}: they are two cases of one name; measure one of them again, or "
+        "rename it",
+        path, one.name, difference, other_path));
   return here;
 }
 

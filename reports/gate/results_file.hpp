@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reports/gate/bootstrap.hpp"
+#include "results/results.hpp"
 
 namespace superstep {
 
@@ -30,6 +31,7 @@ struct MeasuredRow {
 struct MeasuredCase {
   std::string name, baseline;  ///< baseline: SPEC of the method that the others are compared with
   std::vector<MeasuredRow> rows;
+  BenchCase head = {};  ///< the case without its rows
 
   [[nodiscard]] const MeasuredRow* find(const std::string& spec) const;
 };
@@ -43,7 +45,7 @@ struct ResultsFile {
 
   [[nodiscard]] const MeasuredCase* find(const std::string& name) const;
   /// The case of another file; null where it is not here. Throws InputError where another one has its name:
-  /// of another size, or that ends at another time.
+  /// of another size or unit, or with other times.
   [[nodiscard]] const MeasuredCase* find_same(const MeasuredCase& one, const std::string& other_path) const;
   /// True when some method was timed.
   [[nodiscard]] bool has_samples() const;

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/text/quantity.hpp"
 #include "reports/gate/timing_rule.hpp"
+#include "results/same_case.hpp"
 #include "results/text/html_text.hpp"
 
 namespace superstep {
@@ -85,13 +86,15 @@ Change compare(const BenchRow& now, const BenchRow& before) {
 std::vector<Change> changes_of(const BenchReport& report, const BenchReport& before) {
   std::vector<Change> changes;
   for (const auto& one : report.cases)
+    for (const auto& old : before.cases)
+      if (const auto difference = difference_of(one, old); old.name == one.name && !difference.empty())
+        throw InputError(
+            fmt::format("case '{}' has {} before: they are two cases of one name; measure one of them again, "
+                        "or rename it",
+                        one.name, difference));
+  for (const auto& one : report.cases)
     for (const auto& row : one.rows) {
       const BenchRow* old = same_run(before, row);
-      if (old && (old->nodes != row.nodes || old->t_end != row.t_end))
-        throw InputError(fmt::format(
-            "case '{}' has {} nodes and ends at {:g} s, and before {} and {:g} s: they are two cases of one "
-            "name; measure one of them again, or rename it",
-            row.case_name, row.nodes, row.t_end, old->nodes, old->t_end));
       Change change = old ? compare(row, *old) : Change{.row = &row, .what = {"new"}};
       changes.push_back(std::move(change));
     }

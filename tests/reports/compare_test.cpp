@@ -61,11 +61,16 @@ TEST(Compare, NamesWhatStandsInOneOfThemOnly) {
 }
 
 TEST(Compare, RefusesTwoCasesOfOneName) {
-  auto a = measured({}, 1), b = measured({}, 2);
-  a.cases[0].rows[0].numbers["nodes"] = 7;
-  b.cases[0].rows[0].numbers["nodes"] = 20;
-  EXPECT_THROW((void)compare(a, b), InputError);
-  EXPECT_THROW((void)judge(b, a, [](const std::string&) { return false; }), InputError);
+  const auto a = measured({}, 1);
+  const auto expect_refused = [&](const char* what, const auto& change) {
+    auto b = measured({}, 2);
+    change(b.cases[0].head);
+    EXPECT_THROW((void)compare(a, b), InputError) << what;
+    EXPECT_THROW((void)judge(b, a, [](const std::string&) { return false; }), InputError) << what;
+  };
+  expect_refused("size", [](BenchCase& one) { one.nodes += 1; });
+  expect_refused("output times", [](BenchCase& one) { one.output_times = {0.5, 1}; });
+  expect_refused("kelvin against volts", [](BenchCase& one) { one.unit = "V"; });
 }
 
 TEST(Bootstrap, IntervalHoldsTheTruthAndShrinks) {
