@@ -20,42 +20,6 @@ void keep_larger(Number& kept, double value) {
   kept = std::max(kept.value_or(0.0), value);
 }
 
-/// Collects the errors at output times while the run goes on, so that no state has to be kept.
-class OutputErrors {
- public:
-  OutputErrors(const Scene& scene, const Reference* reference, std::vector<FieldErrors>& errors)
-      : scene_(scene), reference_(reference), errors_(errors) {
-    errors_.resize(scene.rhs->fields().size());
-  }
-
-  void observe(std::size_t output, double t, std::span<const double> state) {
-    const auto fields = scene_.rhs->fields();
-    for (std::size_t f = 0; f < fields.size(); ++f) {
-      const FieldScene& described = scene_field(scene_, fields[f].name);
-      const FieldRange range = attainable_range(described.range_of_state(), scene_.rhs->facts().fields[f], t);
-      keep_larger(errors_[f].overshoot, overshoot(fields[f], state, range.low, range.high));
-      if (!reference_) continue;
-      const Deviation difference = deviation(fields[f], state, reference_->states[output]);
-      keep_larger(errors_[f].rms, difference.rms);
-      keep_larger(errors_[f].max, difference.max);
-      const double span = reference_->spans[f];
-      if (!(span > 0)) continue;
-      const bool is_cvode = reference_->cvode.empty();  // the reference itself
-      const auto& cvode = is_cvode ? reference_->states[output] : reference_->cvode[output];
-      keep_larger(errors_[f].distance_to_cvode, deviation(fields[f], state, cvode).rms / span);
-    }
-    last_.assign(state.begin(), state.end());
-  }
-
-  [[nodiscard]] std::span<const double> last() const noexcept { return last_; }
-
- private:
-  const Scene& scene_;
-  const Reference* reference_;
-  std::vector<FieldErrors>& errors_;
-  std::vector<double> last_;
-};
-
 /// What entered along the reference against what the run has stored; of the main field only: with two fields,
 /// heat in the temperature.
 Number balance_of(const Scene& scene, std::size_t f, std::span<const double> last,
@@ -78,6 +42,40 @@ double allowed_error(const Scene& scene, const FieldView& field, double rtol, do
 }
 
 }  // namespace
+
+OutputErrors::OutputErrors(const Scene& scene, const Reference* reference)
+    : scene_(scene), reference_(reference), errors_(scene.rhs->fields().size()) {
+  for (std::size_t f = 0; reference && f < errors_.size(); ++f) errors_[f].span = reference->spans[f];
+}
+
+void OutputErrors::observe(std::size_t output, double t, std::span<const double> state) {
+  const auto fields = scene_.rhs->fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const FieldScene& described = scene_field(scene_, fields[f].name);
+    const FieldRange range = attainable_range(described.range_of_state(), scene_.rhs->facts().fields[f], t);
+    keep_larger(errors_[f].overshoot, overshoot(fields[f], state, range.low, range.high));
+    if (!reference_) continue;
+    const Deviation difference = deviation(fields[f], state, reference_->states[output]);
+    keep_larger(errors_[f].rms, difference.rms);
+    keep_larger(errors_[f].max, difference.max);
+    const double span = reference_->spans[f];
+    if (!(span > 0)) continue;
+    const bool is_cvode = reference_->cvode.empty();  // the reference itself
+    const auto& cvode = is_cvode ? reference_->states[output] : reference_->cvode[output];
+    keep_larger(errors_[f].distance_to_cvode, deviation(fields[f], state, cvode).rms / span);
+  }
+  last_.assign(state.begin(), state.end());
+}
+
+void OutputErrors::judge_besides(std::size_t field, Outcome& outcome) const {
+  const auto fields = scene_.rhs->fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    FieldErrors errors = errors_[f];
+    errors.relative_rms =
+        f != field && errors.rms && *errors.span > 0 ? Number(*errors.rms / *errors.span) : std::nullopt;
+    judge(errors, fields[f].name, fields[f].unit, outcome);
+  }
+}
 
 Number delivered_error(double rms, double bar, double allowed) {
   const double limit = most_tolerances * allowed;
@@ -135,7 +133,7 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const MethodSpec
                     const Reference* reference, const std::atomic<bool>* stop, Progress* progress,
                     const RunLimits& limits) {
   Verification result;
-  OutputErrors outputs(scene, reference, result.errors);
+  OutputErrors outputs(scene, reference);
   RunRequest request{.spans = reference ? reference->spans : std::vector<double>{},
                      .probes = &probes,
                      .stop = stop,
@@ -147,17 +145,14 @@ Verification verify(const Scene& scene, const ProbeSet& probes, const MethodSpec
   const RunResult run = run_one(scene, spec, request);
   result.outcome = run.outcome;
   result.history = run.history;
-  if (!run.outcome.ok()) {
-    result.errors.clear();
-    return result;
-  }
+  if (!run.outcome.ok()) return result;
+  result.errors = outputs.errors();
   const auto fields = scene.rhs->fields();
   const double rtol = spec.rtol();
   for (std::size_t f = 0; f < fields.size(); ++f) {
     FieldErrors& errors = result.errors[f];
     if (!reference) continue;
     const double span = reference->spans[f];
-    errors.span = span;
     errors.balance = balance_of(scene, f, outputs.last(), *reference);
     errors.reference_error = reference->error_bar[f];
     if (span > 0) errors.relative_rms = *errors.rms / span;

@@ -23,6 +23,28 @@ struct Verification {
       errors;  ///< one per field of the right-hand side; empty unless the run came to its end
 };
 
+/// Errors at output times, gathered while a run goes on, so that no state has to be kept.
+class OutputErrors {
+ public:
+  /// Refers to both. Without a reference only overshoot is measured.
+  OutputErrors(const Scene& scene, const Reference* reference);
+
+  void observe(std::size_t output, double t, std::span<const double> state);
+  /// What nobody can call a result, however small the error of one field is, makes the outcome
+  /// `inaccurate`: a value out of its range, and the error of another field.
+  ///   field  position of the one whose error is no matter here
+  void judge_besides(std::size_t field, Outcome& outcome) const;
+
+  [[nodiscard]] const std::vector<FieldErrors>& errors() const noexcept { return errors_; }
+  [[nodiscard]] std::span<const double> last() const noexcept { return last_; }  ///< state observed
+
+ private:
+  const Scene& scene_;
+  const Reference* reference_;
+  std::vector<FieldErrors> errors_;  // one a field
+  std::vector<double> last_;
+};
+
 /// Runs `spec` once, untimed, recording the probes. Without a reference only overshoot is measured. A run
 /// whose error is beyond what anybody can call a result is `inaccurate`.
 [[nodiscard]] Verification verify(const Scene& scene, const ProbeSet& probes, const MethodSpec& spec,

@@ -6,6 +6,7 @@
 
 #include "bench/harness/harness.hpp"
 #include "bench/harness/reference.hpp"
+#include "bench/harness/verification.hpp"
 #include "bench/measure/metrics.hpp"
 #include "bench/measure/probe_set.hpp"
 #include "bench/measure/run_one.hpp"
@@ -16,6 +17,11 @@
 
 namespace superstep {
 namespace {
+/// A run to the end is timed however wrong it is.
+bool is_timed(const WorkPrecisionPoint& point) {
+  return point.ok() || point.status == status_name(Status::inaccurate);
+}
+
 class Sweep {
  public:
   Sweep(const Scene& scene, const WorkPrecisionOptions& options, Progress& progress)
@@ -34,7 +40,7 @@ class Sweep {
       for (const std::size_t k : round_order(study_.points.size(), static_cast<std::size_t>(round)))
         if (!stopped()) measure(k, round == 0);
     for (std::size_t k = 0; k < times_.size(); ++k)
-      if (study_.points[k].ok() && !times_[k].empty()) study_.points[k].cpu = summarize(times_[k]);
+      if (is_timed(study_.points[k]) && !times_[k].empty()) study_.points[k].cpu = summarize(times_[k]);
     std::erase_if(study_.points, [](const auto& point) { return point.status.empty(); });  // never started
     return std::move(study_);
   }
@@ -83,20 +89,26 @@ class Sweep {
 
   void measure(std::size_t k, bool first) {
     WorkPrecisionPoint& point = study_.points[k];
-    if (!first && !point.ok()) return;
+    if (!first && !is_timed(point)) return;
     progress_.begin(fmt::format("{} of {} {}", k + 1, study_.points.size(), point.spec), scene_.t_end);
     RunRequest request{
         .spans = reference_.spans, .stop = options_.stop, .progress = &progress_, .limits = options_.limits};
     std::vector<double> errors;
+    OutputErrors all(scene_, &reference_);
     if (first)
-      request.observe = [&](std::size_t output, double, std::span<const double> state) {
+      request.observe = [&](std::size_t output, double t, std::span<const double> state) {
         errors.push_back(deviation(field_, state, reference_.states[output]).rms);
+        all.observe(output, t, state);
       };
     const RunResult run = run_one(scene_, point.spec, request);
     progress_.end();
     if (run.outcome.status == Status::interrupted) return;
-    point.status = status_name(run.outcome.status);
-    point.reason = run.outcome.reason;
+    if (first || !run.outcome.ok()) {
+      Outcome outcome = run.outcome;
+      if (outcome.ok()) all.judge_besides(main_field(*scene_.rhs), outcome);
+      point.status = status_name(outcome.status);
+      point.reason = outcome.reason;
+    }
     point.sweeps = run.sweeps;
     point.steps = run.statistics.steps;
     if (!run.outcome.ok()) return;

@@ -129,6 +129,20 @@ TEST_F(CorpusRun, KeepsWhatFailed) {
   EXPECT_NE(out_.find("What failed, and why"), std::string::npos);
 }
 
+TEST_F(CorpusRun, WhatLeavesItsRangeIsInaccurate) {
+  for (const char* file : {"lattice.toml", "packings/lattice.csv"}) {
+    fs::create_directories(folder_.file("cases/packings"));
+    fs::copy_file(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/" + file, folder_.file("cases") + "/" + file);
+  }
+  ASSERT_EQ(bench({"--integrator", "sts:n=20,nu=1e-5", "rkc:rtol=1e-3"}), 0);
+  for (const auto& row : rows())
+    if (row.scene == "lattice" && row.integrator == "sts") {
+      EXPECT_EQ(row.status, "inaccurate");
+      EXPECT_TRUE(row.error && row.cpu) << "they stand beside it";
+      EXPECT_NE(row.reason.find("leaves the range"), std::string::npos) << row.reason;
+    }
+}
+
 TEST_F(CorpusRun, WritesTheReport) {
   ASSERT_EQ(bench({"--integrator", "rkc", "exponential:rtol=1e-6", "--report"}), 0);
   const std::string page = folder_.read("out/report.html");

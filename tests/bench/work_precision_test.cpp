@@ -85,5 +85,20 @@ TEST(WorkPrecision, SweepsACase) {
   EXPECT_EQ(study.reference, "exponential:basis=chebyshev,rtol=1e-14");
 }
 
+TEST(WorkPrecision, WhatLeavesItsRangeWinsNothing) {
+  const Scene scene = load_scene(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/lattice.toml");
+  Progress progress(false);
+  WorkPrecisionOptions options;
+  options.use_cache = false;
+  options.repetitions = 2;
+  options.integrators = {"sts:n=10,nu=1e-4", "sts:n=20,nu=1e-5"};
+  const auto study = work_precision(scene, options, progress);
+  EXPECT_EQ(study.points[0].status, "ok") << "its error, 11 %, stands beside it";
+  EXPECT_EQ(study.points[1].status, "inaccurate");
+  EXPECT_NE(study.points[1].reason.find("leaves the range"), std::string::npos) << study.points[1].reason;
+  EXPECT_TRUE(study.points[1].cpu.has_value());
+  EXPECT_EQ(study.points[1].error_rms.size(), scene.output_times.size());
+}
+
 }  // namespace
 }  // namespace superstep

@@ -9,10 +9,11 @@
 
 #include "bench/harness/harness.hpp"
 #include "bench/harness/reference.hpp"
+#include "bench/harness/verification.hpp"
 #include "bench/host/machine.hpp"
-#include "bench/measure/metrics.hpp"
 #include "bench/measure/probe_set.hpp"
 #include "bench/measure/run_one.hpp"
+#include "bench/measure/scene_facts.hpp"
 #include "core/hash.hpp"
 #include "core/median.hpp"
 #include "core/stopwatch.hpp"
@@ -166,23 +167,21 @@ class SceneSweep {
     return row;
   }
 
-  RunResult run_row(const CorpusRow& row, std::vector<double>* errors, double seconds) {
+  RunResult run_row(const CorpusRow& row, OutputErrors* errors, double seconds) {
     RunRequest request{.spans = reference_.spans, .stop = options_.stop, .limits = options_.limits};
     request.limits.seconds = seconds;
     if (errors)
-      request.observe = [&](std::size_t output, double, std::span<const double> state) {
-        errors->push_back(error_at(output, state));
+      request.observe = [&](std::size_t output, double t, std::span<const double> state) {
+        errors->observe(output, t, state);
       };
     return run_one(scene_, row.spec, request);
   }
 
-  [[nodiscard]] double error_at(std::size_t output, std::span<const double> state) const {
-    const auto fields = scene_.rhs->fields();
+  /// The worst of the fields, over the span.
+  static double worst(const OutputErrors& errors) {
     double worst = 0;
-    for (std::size_t f = 0; f < fields.size(); ++f)
-      if (reference_.spans[f] > 0)
-        worst =
-            std::max(worst, deviation(fields[f], state, reference_.states[output]).rms / reference_.spans[f]);
+    for (const auto& one : errors.errors())
+      if (one.rms && *one.span > 0) worst = std::max(worst, *one.rms / *one.span);
     return worst;
   }
 
@@ -198,14 +197,16 @@ class SceneSweep {
     progress_.begin_timed(fmt::format("{} {} of {} {}", scene_.name, k + 1, rows_.size(), row.spec));
     reset_peak_memory();
     const double before = peak_memory_megabytes();
-    std::vector<double> errors;
+    OutputErrors errors(scene_, &reference_);
     const Patience patience = this->patience();
     const RunResult run = run_row(row, &errors, patience.seconds);
     progress_.end();
     if (run.outcome.status == Status::interrupted) return;
     row.memory = std::max(0.0, peak_memory_megabytes() - before);
-    row.status = status_name(run.outcome.status);
-    row.reason = run.outcome.reason;
+    Outcome outcome = run.outcome;
+    if (outcome.ok()) errors.judge_besides(main_field(*scene_.rhs), outcome);
+    row.status = status_name(outcome.status);
+    row.reason = outcome.reason;
     row.sweeps = run.sweeps;
     row.steps = run.statistics.steps;
     row.choice = run.choice;
@@ -215,7 +216,7 @@ class SceneSweep {
           fmt::format("not done after {:.2g} s of CPU time; {} reaches {:.1e} in {:.2g} s", patience.seconds,
                       patience.faster->spec, *patience.faster->error, *patience.faster->cpu);
     if (run.outcome.ok()) {
-      row.error = errors.empty() ? 0 : *std::max_element(errors.begin(), errors.end());
+      row.error = worst(errors);
       row.samples = {run.cpu_prepare + run.cpu_stepping};
       row.cpu_prepare = run.cpu_prepare;
       if (row.samples.front() < cold_run) warm_up(row);

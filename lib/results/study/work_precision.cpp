@@ -127,7 +127,9 @@ std::string work_precision_csv(const WorkPrecision& study) {
     const auto timing = [&](double Timing::*part) {
       return point.cpu ? csv_cell((*point.cpu).*part) : std::string();
     };
-    const auto error = [&](double value) { return point.ok() ? csv_cell(value) : std::string(); };
+    const auto error = [&](double value) {
+      return point.error_rms.empty() ? std::string() : csv_cell(value);
+    };
     out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_cell(study.case_name),
                        csv_cell(point.integrator), csv_cell(point.params), csv_cell(point.status),
                        csv_cell(point.reason), study.unknowns, study.repetitions, study.threads, point.sweeps,

@@ -14,8 +14,9 @@ struct WorkPrecisionPoint {
   std::string family;  ///< the method with everything but the swept key, e.g. "cvode linsol=pcg"
   std::string spec, integrator, params, status, reason;
   std::uint64_t sweeps = 0, steps = 0;
-  std::optional<Timing> cpu{};           ///< s, preparation and stepping
-  std::vector<double> error_rms{};       ///< at each output time, in the field's unit; empty unless ok
+  std::optional<Timing> cpu{};  ///< s, preparation and stepping
+  std::vector<double>
+      error_rms{};  ///< at each output time, in the field's unit; empty unless it came to its end
   double worst = 0, worst_relative = 0;  ///< largest of error_rms, and over the field's span
   [[nodiscard]] bool ok() const noexcept { return status == "ok"; }
 };
