@@ -58,7 +58,10 @@ void write_results(const std::string& folder, const BenchReport& report,
                    const std::vector<LoadedCase>& cases) {
   remove_stale_file(folder + "/results.json");
   write_file_atomically(folder + "/results.csv", results_csv(report.cases));
-  if (!report.interrupted) write_observation_files(folder, report, cases);
+  if (report.interrupted)
+    remove_observation_files(folder);  // of the benchmark before
+  else
+    write_observation_files(folder, report, cases);
   write_file_atomically(folder + "/results.json", results_json(report));
 }
 

@@ -50,4 +50,9 @@ void write_observation_files(const std::string& folder, const BenchReport& repor
     remove_stale_file(folder + "/health.json");
 }
 
+void remove_observation_files(const std::string& folder) {
+  for (const char* name : {"histories.csv", "snapshots.csv", "health.json"})
+    remove_stale_file(folder + "/" + name);
+}
+
 }  // namespace superstep

@@ -16,4 +16,7 @@ namespace superstep {
 void write_observation_files(const std::string& folder, const BenchReport& report,
                              std::span<const LoadedCase> loaded);
 
+/// Removes those of an earlier benchmark.
+void remove_observation_files(const std::string& folder);
+
 }  // namespace superstep

@@ -33,6 +33,12 @@ void append_frame(std::string& out, const std::string& case_name, const Slice& s
   }
 }
 
+double instant(const CsvTable& table, std::size_t row, std::size_t column) {
+  const double time = table.required(row, column);
+  if (time < 0) table.reject(row, "its time must not be negative");
+  return time;
+}
+
 void read_histories(const std::string& path, std::map<std::string, CaseObservations>& out) {
   const CsvTable table(path);
   const auto name = table.column("case"), spec = table.column("spec"), field = table.column("field"),
@@ -51,10 +57,14 @@ void read_histories(const std::string& path, std::map<std::string, CaseObservati
                         .unit = table.text(row, unit),
                         .probe = table.text(row, probe)});
     auto& curve = curves.back();
-    curve.time.push_back(table.required(row, time));
+    curve.time.push_back(instant(table, row, time));
+    if (curve.time.size() > 1 && curve.time.back() < curve.time[curve.time.size() - 2])
+      table.reject(row, "its time is before that of the row above");
     curve.value.push_back(table.required(row, value));
     if (const auto expected = table.number(row, reference)) curve.reference.push_back(*expected);
-    if (table.text(row, transient) == "1") curve.transient = curve.time.size();
+    const std::string in_transient = table.text(row, transient);
+    if (in_transient != "0" && in_transient != "1") table.reject(row, "column 'in_transient' must be 0 or 1");
+    if (in_transient == "1") curve.transient = curve.time.size();
   }
   for (auto& [ignored, one] : out)  // a reference that is there for some instants only is of no use
     for (auto& curve : one.curves)
@@ -71,7 +81,7 @@ void read_snapshots(const std::string& path, std::map<std::string, CaseObservati
     auto& slot = out[table.text(row, name)].slice;
     if (!slot) slot = Slice{.source = table.text(row, source), .cut = table.count(row, cut).value_or(0)};
     Slice& slice = *slot;
-    const double t = table.required(row, time);
+    const double t = instant(table, row, time);
     const std::string field_name = table.text(row, field);
     if (slice.frames.empty() || slice.frames.back().time != t || slice.frames.back().field != field_name)
       slice.frames.push_back({.field = field_name, .unit = table.text(row, unit), .time = t});

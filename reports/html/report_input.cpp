@@ -53,7 +53,7 @@ void read_benchmark(ReportInput& input) {
   const auto health = read_json(health_file, "superstep.health", health_version);
   for (auto& one : input.bench->cases) {
     CaseInput out{.bench = std::move(one), .health = {}, .work_precision = {}};
-    out.bench.observations = std::move(observations[out.bench.name]);
+    if (auto seen = observations.extract(out.bench.name)) out.bench.observations = std::move(seen.mapped());
     if (health)
       for (const auto& candidate : JsonObject(health_file, *health).objects("cases"))
         if (candidate.text("case") == out.bench.name) {
@@ -62,6 +62,11 @@ void read_benchmark(ReportInput& input) {
         }
     input.cases.push_back(std::move(out));
   }
+  if (!observations.empty())
+    throw InputError(fmt::format(
+        "{}: histories.csv or snapshots.csv speaks of case {}, and results.json does not: they are of two "
+        "benchmarks; measure anew, or delete the two",
+        input.folder, in_quotes(observations.begin()->first)));
   input.bench->cases.clear();
 }
 
@@ -87,6 +92,11 @@ void read_studies(ReportInput& input) {
       input.other_studies.push_back(std::move(study));
       continue;
     }
+    if (study.output_times != of_case->bench.output_times)
+      throw InputError(fmt::format(
+          "{}: its errors are not at the output times of case {} in {}/results.json: they are of two "
+          "benchmarks, or a column is missing; measure one of them anew",
+          file, in_quotes(study.case_name), input.folder));
     study.title = of_case->bench.title;
     study.unit = of_case->bench.unit;
     of_case->work_precision = std::move(study);

@@ -105,6 +105,20 @@ TEST(ReadObservations, GiveBackWhatWasWritten) {
   }
 }
 
+TEST(ReadObservations, RefuseWhatWasNeverSeen) {
+  const TemporaryFolder folder;
+  const std::string head = "case,spec,field,unit,probe,time,value,reference,in_transient\n";
+  const auto refuses = [&](const std::string& rows) {
+    folder.write("histories.csv", head + rows);
+    return !message_of<InputError>([&] { (void)read_observations(folder.file(".")); }).empty();
+  };
+  const std::string row = "rod,rkc,temperature,K,7,";
+  EXPECT_FALSE(refuses(row + "0,1,1,1\n" + row + "1,1,1,0\n"));
+  EXPECT_TRUE(refuses(row + "-1,1,1,1\n")) << "before the start";
+  EXPECT_TRUE(refuses(row + "2,1,1,1\n" + row + "1,1,1,1\n")) << "backwards";
+  EXPECT_TRUE(refuses(row + "0,1,1,yes\n"));
+}
+
 TEST(ReadWorkPrecision, GivesBackWhatWasWritten) {
   const TemporaryFolder folder;
   const WorkPrecision study = test::sample_study();
@@ -142,6 +156,21 @@ TEST(ReadWorkPrecision, RefusesWhatWasNeverMeasured) {
     EXPECT_TRUE(refuses(with_cell(0, column, ""))) << column;
     EXPECT_TRUE(refuses(with_cell(0, column, "-5"))) << column;
   }
+  EXPECT_TRUE(refuses(with_cell(0, "error_worst", "0.0001"))) << "not the largest";
+  for (const char* time : {"soon", "-1", "0.0001"}) {  // of the second output
+    std::string text = good;
+    EXPECT_TRUE(refuses(text.replace(text.find("_at_0.001") + 4, 5, time))) << time;
+  }
+  const auto without = [](std::string text, std::size_t columns) {  // of errors at the end
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end + 1))
+      for (std::size_t k = 0; k < columns; ++k) {
+        const auto comma = text.rfind(',', end);
+        text.erase(comma, end - comma);
+        end = comma;
+      }
+    return text;
+  };
+  EXPECT_TRUE(refuses(without(good, 2))) << "no errors at all";
   EXPECT_TRUE(refuses(with_cell(0, "status", "okay")));
   EXPECT_TRUE(refuses(with_cell(1, "case", "another")));
   const auto first = good.find('\n') + 1;

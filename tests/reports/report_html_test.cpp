@@ -173,6 +173,27 @@ TEST(Report, NeedsResults) {
             std::string::npos);
 }
 
+TEST(Report, RefusesFilesOfTwoBenchmarks) {
+  const TemporaryFolder folder;
+  BenchReport report = test::sample_report();
+  const auto message = [&] {
+    return message_of<InputError>([&] { (void)read_report_input(folder.file(".")); });
+  };
+  folder.write("results.json", results_json(report));
+  WorkPrecision study = test::sample_study();
+  folder.write("work_precision.csv", work_precision_csv(study));
+  folder.write("histories.csv", histories_csv(report.cases));
+  EXPECT_EQ(message(), "");
+  report.cases[0].name = "another";
+  folder.write("histories.csv", histories_csv(report.cases));
+  EXPECT_TRUE(has(message(), "speaks of case 'another'")) << message();
+  folder.write("histories.csv", "case,spec,field,unit,probe,time,value,reference,in_transient\n");
+  study.output_times.pop_back();  // as where the last column is cut off
+  for (auto& point : study.points) point.error_rms.resize(point.error_rms.empty() ? 0 : 1);
+  folder.write("work_precision.csv", work_precision_csv(study));
+  EXPECT_TRUE(has(message(), "output times")) << message();
+}
+
 TEST(Published, TablesOfThePaperAreComplete) {
   const auto thermal = published_case("Rojek & Nisar 2026, section 9.1");
   ASSERT_TRUE(thermal);

@@ -65,7 +65,29 @@ WorkPrecisionPoint point_of(const CsvTable& table, std::size_t row) {
   for (const auto& name : table.columns())
     if (name.starts_with(error_prefix))
       if (const auto error = amount(table, row, name)) point.error_rms.push_back(*error);
+  if (const auto& errors = point.error_rms;
+      !errors.empty() && *std::max_element(errors.begin(), errors.end()) != point.worst)
+    table.reject(row, "column 'error_worst' is not the largest of the errors at output times");
   return point;
+}
+
+std::vector<double> output_times_of(const CsvTable& table, const std::string& path) {
+  std::vector<double> times;
+  for (const auto& name : table.columns()) {
+    if (!name.starts_with(error_prefix)) continue;
+    const auto time = parse_number(std::string_view(name).substr(error_prefix.size()));
+    if (!time || *time < 0 || (!times.empty() && *time <= times.back()))
+      throw InputError(fmt::format(
+          "{}: column {} must name an output time, in seconds and after that of the column before; "
+          "write the file anew",
+          path, in_quotes(name)));
+    times.push_back(*time);
+  }
+  if (times.empty())
+    throw InputError(
+        fmt::format("{}: there is no column '{}T' of errors at an output time T; write the file anew", path,
+                    error_prefix));
+  return times;
 }
 
 }  // namespace
@@ -73,10 +95,7 @@ WorkPrecisionPoint point_of(const CsvTable& table, std::size_t row) {
 WorkPrecision read_work_precision_csv(const std::string& path) {
   const CsvTable table(path);
   WorkPrecision study;
-  for (const auto& name : table.columns())
-    if (name.starts_with(error_prefix))
-      study.output_times.push_back(
-          parse_number(std::string_view(name).substr(error_prefix.size())).value_or(0));
+  study.output_times = output_times_of(table, path);
   std::set<std::string> methods;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     study.points.push_back(point_of(table, row));
