@@ -112,6 +112,11 @@ TEST_F(CorpusRun, MeasuresAgainWhatHasChanged) {
     EXPECT_EQ(before[k].key == after[k].key, before[k].scene == "bar") << before[k].scene;
 }
 
+TEST_F(CorpusRun, AStepOfALadderThatIsGivenToo) {
+  ASSERT_EQ(bench({"--integrator", "forward-euler", "forward-euler:alpha=1", "--repetitions", "1"}), 0);
+  EXPECT_EQ(rows().size(), 2u * 4u) << "its readers refuse a method that stands twice";
+}
+
 TEST_F(CorpusRun, KeepsWhatFailed) {
   write_case("stiff", "size = 2000\ncontrast = 1e9");
   ASSERT_EQ(

@@ -307,17 +307,21 @@ class SceneSweep {
 
 std::vector<std::string> corpus_specs(const std::vector<std::string>& asked) {
   std::vector<std::string> specs;
+  const auto take = [&](const std::string& spec) {
+    specs.push_back(spec);
+    if (!repeated_spec(specs).empty()) specs.pop_back();  // a step of a ladder that was given by itself, too
+  };
   for (const auto& one : asked) {
     const Spec parsed = parse_spec(one);
-    const auto& entry = find_integrator(parsed.name);
-    if (parsed.settings.empty() && !entry.ladder.empty())
-      specs.insert(specs.end(), entry.ladder.begin(), entry.ladder.end());
+    const auto& ladder = find_integrator(parsed.name).ladder;
+    if (parsed.settings.empty() && !ladder.empty())
+      for (const auto& spec : ladder) take(spec);
     else
-      specs.push_back(one);
+      take(one);
   }
   if (asked.empty())
     for (const auto& entry : integrators())
-      specs.insert(specs.end(), entry.ladder.begin(), entry.ladder.end());
+      for (const auto& spec : entry.ladder) take(spec);
   return specs;
 }
 
