@@ -101,6 +101,8 @@ class KluLinearSolver final : public SundialsLinearSolver {
 class GmresLinearSolver final : public SundialsLinearSolver {
  public:
   GmresLinearSolver(Rhs& rhs, N_Vector y, SUNContext context) : preconditioner_(rhs) {
+    if (!rhs.traits().linear)
+      (void)rhs.pattern();  // products with J need all of it, and are no place to throw
     constexpr int krylov_vectors = 30;
     solver_.reset(SUNLinSol_SPGMR(y, SUN_PREC_RIGHT, krylov_vectors, context));
     if (!solver_) throw std::runtime_error("SUNDIALS: the GMRES solver cannot be created");
