@@ -46,6 +46,14 @@ std::vector<std::string> only_in(const ResultsFile& here, const ResultsFile& the
   return names;
 }
 
+/// Most that took part in a run: their CPU times are added up.
+double processes_of(const ResultsFile& file) {
+  double most = 1;
+  for (const auto& one : file.cases)
+    for (const auto& row : one.rows) most = std::max(most, row.number("processes").value_or(1));
+  return most;
+}
+
 /// What the table does not show.
 std::string below_the_table(const ResultsFile& a, const ResultsFile& b,
                             const std::vector<ComparedRow>& rows) {
@@ -57,8 +65,13 @@ std::string below_the_table(const ResultsFile& a, const ResultsFile& b,
     if (const auto names = only_in(*here, *there); !names.empty())
       out += fmt::format("\nOnly in {}: {}.\n", name, fmt::join(names, ", "));
   }
-  if (a.processor != b.processor)
-    out += fmt::format("\nThe processors differ: '{}' and '{}'.\n", a.processor, b.processor);
+  const auto note = [&](const char* what, const auto& one, const auto& other) {
+    if (one != other) out += fmt::format("\nThe {} differ: '{}' and '{}'.\n", what, one, other);
+  };
+  note("processors", a.processor, b.processor);
+  note("build flags", a.flags, b.flags);
+  note("numbers of threads", a.threads, b.threads);
+  note("numbers of processes", processes_of(a), processes_of(b));
   return out;
 }
 

@@ -66,9 +66,21 @@ bool compare_times(Change& change, const BenchRow& now, const BenchRow& before) 
   return true;
 }
 
-Change compare(const BenchRow& now, const BenchRow& before) {
+/// Times are judged under the conditions of the gate.
+bool same_machine(const BenchReport& now, const BenchReport& before) {
+  const auto facts = [](const BenchReport& report) {
+    std::vector<std::string> values = {fmt::format("{}", report.threads)};
+    for (const auto& [name, value] : report.machine)
+      if (name == "processor" || name == "flags") values.push_back(value);
+    return values;
+  };
+  return facts(now) == facts(before);
+}
+
+Change compare(const BenchRow& now, const BenchRow& before, bool with_times) {
   Change change{.row = &now, .what = {}};
-  if (now.cpu_stepping && before.cpu_stepping) change.times_can_tell = compare_times(change, now, before);
+  if (with_times && now.cpu_stepping && before.cpu_stepping && now.processes == before.processes)
+    change.times_can_tell = compare_times(change, now, before);
   compare_counts(change, "steps", now.steps, before.steps);
   compare_counts(change, "sweeps", now.rhs, before.rhs);
   if (now.errors.rms && before.errors.rms &&
@@ -83,7 +95,7 @@ Change compare(const BenchRow& now, const BenchRow& before) {
 }
 
 /// Of all runs, those that are as they were included.
-std::vector<Change> changes_of(const BenchReport& report, const BenchReport& before) {
+std::vector<Change> changes_of(const BenchReport& report, const BenchReport& before, bool with_times) {
   std::vector<Change> changes;
   for (const auto& one : report.cases)
     for (const auto& old : before.cases)
@@ -95,7 +107,7 @@ std::vector<Change> changes_of(const BenchReport& report, const BenchReport& bef
   for (const auto& one : report.cases)
     for (const auto& row : one.rows) {
       const BenchRow* old = same_run(before, row);
-      Change change = old ? compare(row, *old) : Change{.row = &row, .what = {"new"}};
+      Change change = old ? compare(row, *old, with_times) : Change{.row = &row, .what = {"new"}};
       changes.push_back(std::move(change));
     }
   for (const auto& one : before.cases)
@@ -105,11 +117,14 @@ std::vector<Change> changes_of(const BenchReport& report, const BenchReport& bef
 }
 
 std::string changes_markdown(const BenchReport& report, const BenchReport& before) {
-  auto changes = changes_of(report, before);
+  const bool with_times = same_machine(report, before);
+  auto changes = changes_of(report, before, with_times);
   const bool all_told =
       std::all_of(changes.begin(), changes.end(), [](const Change& one) { return one.times_can_tell; });
   const std::string untold =
-      all_told ? "" : "\nTimes that cannot tell are left out. " + timing_rule(timing_limits) + "\n";
+      !with_times ? "\nTimes are left out: processor, flags or threads are not those of before.\n"
+      : all_told  ? ""
+                  : "\nTimes that cannot tell are left out. " + timing_rule(timing_limits) + "\n";
   std::erase_if(changes, [](const Change& one) { return one.what.empty(); });
   const auto count = [&](Change::Kind kind) {
     return std::count_if(changes.begin(), changes.end(),

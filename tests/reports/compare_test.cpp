@@ -60,6 +60,17 @@ TEST(Compare, NamesWhatStandsInOneOfThemOnly) {
   EXPECT_EQ(nothing.find("| case"), std::string::npos) << nothing;
 }
 
+TEST(Compare, NamesWhatTimesDependOn) {
+  const auto a = measured({}, 1);
+  auto b = measured({}, 2);
+  b.threads = 4;
+  for (auto& row : b.cases[0].rows) row.numbers["processes"] = 2;
+  const auto text = compare_markdown(a, b, compare(a, b));
+  EXPECT_NE(text.find("The numbers of threads differ: '1' and '4'."), std::string::npos) << text;
+  EXPECT_NE(text.find("The numbers of processes differ: '1' and '2'."), std::string::npos) << text;
+  EXPECT_EQ(text.find("processors differ"), std::string::npos) << text;
+}
+
 TEST(Compare, RefusesTwoCasesOfOneName) {
   const auto a = measured({}, 1);
   const auto expect_refused = [&](const char* what, const auto& change) {

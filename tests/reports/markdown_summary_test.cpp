@@ -64,6 +64,21 @@ TEST(MarkdownSummary, TimesThatCannotTellAreNoChange) {
   EXPECT_TRUE(has(text, "Times that cannot tell are left out. Times can tell from 6 rounds")) << text;
 }
 
+TEST(MarkdownSummary, TimesOfAnotherMachineAreNoChange) {
+  BenchReport before = plain_report();
+  time(before.cases[0].rows[1], 0.2);
+  BenchReport now = before;
+  time(now.cases[0].rows[1], 0.4);
+  EXPECT_TRUE(markdown_summary(now, &before).starts_with("**Worse.**"));
+  BenchReport another = now;
+  another.machine[0].value = "another processor";
+  const std::string text = markdown_summary(another, &before);
+  EXPECT_TRUE(text.starts_with("**Unchanged.**")) << text;
+  EXPECT_TRUE(has(text, "Times are left out: processor, flags or threads")) << text;
+  now.cases[0].rows[1].processes = 2;  // whose times are added up
+  EXPECT_TRUE(markdown_summary(now, &before).starts_with("**Unchanged.**"));
+}
+
 TEST(MarkdownSummary, OverlappingTimesAreNoChange) {
   BenchReport before = plain_report(), now = before;
   for (auto* report : {&before, &now})
