@@ -214,7 +214,7 @@ void CaseBench::warm_up(Contender& contender) {
 void CaseBench::count(Contender& contender, BenchCase& out) {
   if (stopped() || !contender.verified || !is_timed(contender.outcome)) return;
   progress_.begin_timed("counting instructions of " + position(contender));
-  const auto counted = count_instructions(program_file(), scene_.file, contender.row.spec);
+  const auto counted = count_instructions(program_file(), scene_.file, contender.row.spec, options_.stop);
   progress_.end();
   contender.row.instructions = counted.instructions;
   if (!counted.instructions && !stopped())

@@ -8,9 +8,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 #include <vector>
 
 #include "bench/measure/counted.hpp"
@@ -44,9 +47,10 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// Runs a program to its end, what it says going to files; its exit code, or -1 when it could not be started
-/// or was killed.
-int run_program_file(std::vector<std::string> line, const std::string& out, const std::string& err) {
+/// Runs a program to its end, or until it is to stop, what it says going to files; its exit code, or -1 when
+/// it could not be started or was killed.
+int run_program_file(std::vector<std::string> line, const std::string& out, const std::string& err,
+                     const std::atomic<bool>* stop = nullptr) {
   std::vector<char*> arguments;
   for (auto& word : line) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -59,9 +63,14 @@ int run_program_file(std::vector<std::string> line, const std::string& out, cons
   const int failed = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed) return -1;
+  constexpr std::chrono::milliseconds between_looks(20);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return -1;
+  for (pid_t ended = 0; ended != child;) {
+    ended = waitpid(child, &status, stop ? WNOHANG : 0);
+    if (ended < 0 && errno != EINTR) return -1;
+    if (ended == 0 && stop->load()) (void)kill(child, SIGKILL);  // it has nothing to tidy up
+    if (ended == 0) std::this_thread::sleep_for(between_looks);
+  }
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -91,7 +100,7 @@ std::string counter_facts() {
 }
 
 InstructionCount count_instructions(const std::string& program, const std::string& case_file,
-                                    const std::string& spec) {
+                                    const std::string& spec, const std::atomic<bool>* stop) {
   const ScratchFolder folder;
   if (!folder.there()) return {{}, "there is no folder for temporary files"};
   const int code =  // with one thread for BLAS a program need not start anew under a limit on memory
@@ -99,7 +108,7 @@ InstructionCount count_instructions(const std::string& program, const std::strin
                         "--callgrind-out-file=" + folder.file("counts"),
                         fmt::format("--toggle-collect={}", counted_function), program, "run", case_file,
                         "--integrator", spec, "--quiet", "--threads", "1", "--out", folder.file("result")},
-                       folder.file("out"), folder.file("err"));
+                       folder.file("out"), folder.file("err"), stop);
   if (code != 0)
     return {{},
             fmt::format("the run under callgrind ended with code {}: {}", code,

@@ -3,6 +3,7 @@
 /// as on an idle one. Valgrind hides AVX-512 from the dispatch, so that what is counted is the AVX2 kernel.
 /// Source: Nethercote & Seward (2007), doi:10.1145/1250734.1250746.
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,7 +26,8 @@ struct InstructionCount {
 /// Runs the case under callgrind with one SPEC, in a process of its own on one thread, and counts what it
 /// executes between start and end of the integration.
 ///   program  path of this program
+///   stop     ends the run, which takes some fifty times as long as another, without a count; may be null
 [[nodiscard]] InstructionCount count_instructions(const std::string& program, const std::string& case_file,
-                                                  const std::string& spec);
+                                                  const std::string& spec, const std::atomic<bool>* stop);
 
 }  // namespace superstep

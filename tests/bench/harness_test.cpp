@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 
 #include "bench/app/loaded_case.hpp"
+#include "bench/harness/instructions.hpp"
 #include "core/error.hpp"
 #include "integrators/method_spec.hpp"
 #include "support/temporary_case.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace superstep {
 namespace {
@@ -136,6 +139,16 @@ TEST_F(RodBench, TheSecondBenchTakesTheReferenceFromTheCache) {
   options_.repetitions = 1;
   EXPECT_FALSE(bench().reference.value().from_cache);
   EXPECT_TRUE(bench().reference.value().from_cache);
+}
+
+TEST(Instructions, AnInterruptEndsTheCount) {
+  const test::TemporaryFolder folder;
+  const std::string endless = folder.write("endless", "#!/bin/sh\nwhile :; do :; done\n");
+  std::filesystem::permissions(endless, std::filesystem::perms::owner_all);
+  const std::atomic<bool> stop = true;
+  const auto counted = count_instructions(endless, "case.toml", "rkc", &stop);
+  EXPECT_FALSE(counted.instructions);
+  EXPECT_FALSE(counted.reason.empty());
 }
 
 TEST_F(RodBench, AnInterruptedBenchReportsWhatIsVerified) {
