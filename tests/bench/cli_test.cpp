@@ -290,9 +290,11 @@ TEST_F(Program, AnInterruptEndsCleanlyWith130) {
   EXPECT_EQ(run("run rod.toml " + endless, "timeout --preserve-status --signal=INT 0.5"), 130) << err();
   EXPECT_EQ(nlohmann::json::parse(folder_.read("result/run.json")).at("outcome").at("status"), "interrupted");
   EXPECT_FALSE(folder_.has("result/final.csv"));
+  folder_.write("result/histories.csv", "of the benchmark before");
   EXPECT_EQ(run("bench rod.toml --reference none " + endless, "timeout --preserve-status --signal=INT 0.5"),
             130);
   EXPECT_EQ(nlohmann::json::parse(folder_.read("result/results.json")).at("interrupted"), true);
+  EXPECT_FALSE(folder_.has("result/histories.csv"));
 }
 
 TEST_F(Program, ShellsAndBatchSystemsEndItAsCleanly) {
