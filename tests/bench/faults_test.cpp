@@ -25,6 +25,12 @@ using test::CaseFolder;
 using test::Rod;
 using Json = nlohmann::ordered_json;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
 class Faults : public testing::Test {
  protected:
   void SetUp() override { write_rod(folder_, Rod{}); }
@@ -91,6 +97,7 @@ TEST_F(Faults, AFullDiskIsNoFaultOfTheMethod) {
 }
 
 TEST_F(Faults, TooLittleMemoryIsNoSignalAndNoHang) {
+  if (sanitized) GTEST_SKIP() << "a sanitizer reserves more";
   const auto under = [&](const char* limit, const char* command) {
     return shell(fmt::format("unset OPENBLAS_NUM_THREADS\nulimit -{}\ntimeout 20 $S {}", limit, command));
   };
@@ -104,6 +111,7 @@ TEST_F(Faults, TooLittleMemoryIsNoSignalAndNoHang) {
 }
 
 TEST_F(Faults, AMethodThatFindsNoMemoryIsARow) {
+  if (sanitized) GTEST_SKIP() << "a sanitizer reserves more";
   folder_.write("cube.toml", "t_end = 1\n[network]\ngenerator = \"lattice\"\nsize = 27000\ninlet = 1\n");
   EXPECT_EQ(
       shell(
