@@ -18,6 +18,8 @@ for check in "" --reference --shift --spans --bounds "--bounds --class driven-li
   "$audit" --seeds "1:$((seeds + 1))" --jobs "$(nproc)" --list-bad $check
 done
 
+tests/audit/packings/packings.py build/release/bin/superstep 1 "$((seeds + 1))" || [ $? -eq 77 ]
+
 # Two hundred kills of each command, and every call of every command failing once.
 tests/faults/kills.py build/release/bin/superstep 200
 tests/faults/injections.py build/release/bin/superstep build/release/tests/superstep_inject.so 0
