@@ -12,6 +12,7 @@
 #include "bench/host/watchdog.hpp"
 #include "bench/measure/run_limits.hpp"
 #include "core/stopwatch.hpp"
+#include "integrators/registry.hpp"
 #include "program.hpp"
 #include "support/small_press.hpp"
 #include "support/temporary_case.hpp"
@@ -50,6 +51,24 @@ TEST_F(Limits, EveryMethodLooksAtTheClock) {
     const auto said = test::call_program(
         {"run", endless(), "--integrator", spec, "--time-limit", "0.1", "--quiet", "--out", out()});
     EXPECT_TRUE(said.code == 4 || std::string(spec) == "esdirk:rtol=1e-12") << spec << said.out << said.err;
+  }
+}
+
+/// Rates of 1e78 per second, slopes that leave the range of a double: whatever comes of it, no signal.
+TEST_F(Limits, AMethodThatCannotGoOnIsAnOutcome) {
+  folder_.write("nodes.csv", "id,capacity,source,initial,fixed\n1,1e-39,0,1e39,\n2,1,0,0,\n3,1,0,0,0\n");
+  folder_.write("edges.csv", "i,j,conductance\n1,2,1e39\n2,3,1\n");
+  const std::string steep =
+      folder_.write("steep.toml", "t_end = 1\n[network]\nnodes = \"nodes.csv\"\nedges = \"edges.csv\"\n");
+  std::vector<std::string> specs = {"arkode:method=erk", "cvode:linsol=gmres", "cvode:linsol=klu"};
+  for (const auto& entry : integrators()) specs.push_back(entry.name);
+  for (const auto& spec : specs) {
+    const auto said = test::call_program(
+        {"run", steep, "--integrator", spec, "--time-limit", "0.5", "--quiet", "--out", out()});
+    EXPECT_TRUE(said.code == 0 || said.code == 4) << spec << ": " << said.code << said.out << said.err;
+    if (said.code == 4) {
+      EXPECT_NE(json("out/run.json").at("outcome").at("reason"), "") << spec;
+    }
   }
 }
 

@@ -93,7 +93,7 @@ bool SundialsPropagator::is_to_stop() const noexcept {
 Outcome SundialsPropagator::failure(const char* package, double t, int flag) const {
   if (is_to_stop()) return interrupted_at(t);
   if (callback_data_.thrown) std::rethrow_exception(callback_data_.thrown);
-  if (linear_solver_->out_of_memory()) throw std::bad_alloc();
+  if (linear_solver_ && linear_solver_->out_of_memory()) throw std::bad_alloc();
   if (lost_)
     return {Status::failed,
             fmt::format("{} finds no solution of its equations at t = {:.6g} s; take another method", package,

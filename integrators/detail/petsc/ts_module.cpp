@@ -166,12 +166,19 @@ class TimeStepping final : public Run {
       if (has_multigrid())
         choose_multigrid(pc, setup_.field_end);
       else
-        check(PCSetType(pc, cg ? PCICC : PCILU), "PCSetType");
+        choose_incomplete_factor(pc, cg);
       // What it stops at is the residual itself: an incomplete factor hides changes that all values share.
       if (!cg) check(KSPSetPCSide(ksp, PC_RIGHT), "KSPSetPCSide");
       return;
     }
     choose_factors(ksp, pc);
+  }
+
+  /// A pivot that is none makes the step smaller: I - gamma J becomes the identity. Shifted diagonals, the
+  /// package's way, are tried without end where capacities differ by more than roundings.
+  static void choose_incomplete_factor(PC pc, bool symmetric) {
+    check(PCSetType(pc, symmetric ? PCICC : PCILU), "PCSetType");
+    check(PCFactorSetShiftType(pc, MAT_SHIFT_NONE), "PCFactorSetShiftType");
   }
 
   void choose_factors(KSP ksp, PC pc) {
