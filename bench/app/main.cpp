@@ -1,4 +1,4 @@
-/// The program: parse, call, exit code.
+/// The program: what has to be seen to before libraries start, parse, call, exit code.
 
 #include <sys/resource.h>
 #include <unistd.h>

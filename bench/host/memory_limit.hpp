@@ -9,9 +9,9 @@ namespace superstep {
 /// The largest number where the system does not say.
 [[nodiscard]] std::uint64_t attainable_memory();
 
-/// From now on memory beyond `bytes` is refused, so that "out of memory" is said, and of several methods the
-/// others go on, where the system would kill the process. A lower limit stays, and nothing is limited where
-/// the process has reserved more already, as sanitizers do.
+/// From now on more than `bytes` beside what the process has reserved is refused, so that "out of memory" is
+/// said, and of several methods the others go on, where the system would kill the process. A lower limit
+/// stays.
 void keep_to_memory(std::uint64_t bytes);
 
 }  // namespace superstep
