@@ -17,6 +17,7 @@
 
 namespace superstep {
 namespace {
+
 /// A run to the end is timed however wrong it is.
 bool is_timed(const WorkPrecisionPoint& point) {
   return point.ok() || point.status == status_name(Status::inaccurate);

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
+
 namespace superstep {
 
-std::string difference_of(const BenchCase& one, const BenchCase& other) {
+void require_same_case(const BenchCase& one, const std::string& file, const BenchCase& other,
+                       const std::string& other_file) {
   std::string found;
   const auto compare = [&](const std::string& fact, const auto& a, const auto& b) {
     if (found.empty() && a != b) found = fmt::format("{} = {}, and {}", fact, a, b);
@@ -19,7 +22,11 @@ std::string difference_of(const BenchCase& one, const BenchCase& other) {
   for (std::size_t k = 0; k < std::min(one.output_times.size(), other.output_times.size()); ++k)
     compare(fmt::format("output_times[{}]", k), one.output_times[k], other.output_times[k]);
   compare("error_unit", one.unit, other.unit);
-  return found;
+  if (!found.empty())
+    throw InputError(fmt::format(
+        "{}case '{}' has {} {}: they are two cases of one name; measure one of them again, or rename it",
+        file.empty() ? "" : file + ": ", one.name, found,
+        other_file.empty() ? "before" : "in " + other_file));
 }
 
 }  // namespace superstep

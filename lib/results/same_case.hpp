@@ -7,8 +7,9 @@
 
 namespace superstep {
 
-/// The first fact that tells two cases of one name apart: a size, a time or the unit of errors.
-///   returns  "nodes = 7, and 20"; empty where there is none
-[[nodiscard]] std::string difference_of(const BenchCase& one, const BenchCase& other);
+/// Throws InputError where two cases of one name differ in a size, a time or the unit of errors.
+///   file, other_file  where they stand; empty = not named
+void require_same_case(const BenchCase& one, const std::string& file, const BenchCase& other,
+                       const std::string& other_file);
 
 }  // namespace superstep

@@ -127,23 +127,26 @@ class Judge {
 
   void judge_overshoot(const std::string& what, const std::string& span, const MeasuredRow& before,
                        const MeasuredRow& now) {
-    const auto a = before.number(what), b = now.number(what), scale = before.number(span);
-    if (!a || !b || !scale) return;
+    const auto scale = before.number(span);
+    if (!scale) return;
     const double slack = limits_.overshoot * *scale;
-    const auto exceeds = [&](double one, double other) { return one > other * (1 + limits_.errors) + slack; };
-    add(what, shown(a), shown(b),
-        exceeds(*b, *a)   ? GateVerdict::regressed
-        : exceeds(*a, *b) ? GateVerdict::better
-                          : GateVerdict::passed);
+    judge_larger(what, before, now,
+                 [&](double one, double other) { return one > other * (1 + limits_.errors) + slack; });
   }
 
   void judge_memory(const MeasuredRow& before, const MeasuredRow& now) {
-    const std::string what = "peak_memory_mb";
+    judge_larger("peak_memory_mb", before, now, [&](double one, double other) {
+      return one > other * (1 + limits_.memory) && one > other + limits_.memory_mb;
+    });
+  }
+
+  /// Larger is worse; where one of the files has no value nothing is said.
+  ///   exceeds  of two values: the first one is larger by more than is tolerated
+  template <class Exceeds>
+  void judge_larger(const std::string& what, const MeasuredRow& before, const MeasuredRow& now,
+                    const Exceeds& exceeds) {
     const auto a = before.number(what), b = now.number(what);
     if (!a || !b) return;
-    const auto exceeds = [&](double one, double other) {
-      return one > other * (1 + limits_.memory) && one > other + limits_.memory_mb;
-    };
     add(what, shown(a), shown(b),
         exceeds(*b, *a)   ? GateVerdict::regressed
         : exceeds(*a, *b) ? GateVerdict::better

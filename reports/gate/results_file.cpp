@@ -109,12 +109,7 @@ const MeasuredCase* ResultsFile::find(const std::string& name) const {
 
 const MeasuredCase* ResultsFile::find_same(const MeasuredCase& one, const std::string& other_path) const {
   const MeasuredCase* here = find(one.name);
-  if (here == nullptr) return here;
-  if (const auto difference = difference_of(here->head, one.head); !difference.empty())
-    throw InputError(fmt::format(
-        "{}: case '{}' has {} in {}: they are two cases of one name; measure one of them again, or "
-        "rename it",
-        path, one.name, difference, other_path));
+  if (here) require_same_case(here->head, path, one.head, other_path);
   return here;
 }
 

@@ -99,11 +99,7 @@ std::vector<Change> changes_of(const BenchReport& report, const BenchReport& bef
   std::vector<Change> changes;
   for (const auto& one : report.cases)
     for (const auto& old : before.cases)
-      if (const auto difference = difference_of(one, old); old.name == one.name && !difference.empty())
-        throw InputError(
-            fmt::format("case '{}' has {} before: they are two cases of one name; measure one of them again, "
-                        "or rename it",
-                        one.name, difference));
+      if (old.name == one.name) require_same_case(one, "", old, "");
   for (const auto& one : report.cases)
     for (const auto& row : one.rows) {
       const BenchRow* old = same_run(before, row);

@@ -69,35 +69,34 @@ TEST(WorkPrecision, EveryMethodOfTheRegistryHasAValidLadder) {
   EXPECT_EQ(names.size(), integrators().size());
 }
 
-TEST(WorkPrecision, SweepsACase) {
-  const Scene scene = load_scene(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/chain.toml");
+WorkPrecision swept(const std::string& name, std::vector<std::string> specs) {
   Progress progress(false);
   WorkPrecisionOptions options;
   options.use_cache = false;
   options.repetitions = 2;
-  options.integrators = {"rkc:rtol=1e-3", "rkc:rtol=1e-6", "exponential", "forward-euler:step=0.6"};
-  const auto study = work_precision(scene, options, progress);
+  options.integrators = std::move(specs);
+  return work_precision(load_scene(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/" + name + ".toml"), options,
+                        progress);
+}
+
+TEST(WorkPrecision, SweepsACase) {
+  const auto study =
+      swept("chain", {"rkc:rtol=1e-3", "rkc:rtol=1e-6", "exponential", "forward-euler:step=0.6"});
   ASSERT_EQ(study.points.size(), 4u);
   EXPECT_LT(study.points[1].worst, 0.1 * study.points[0].worst);
   EXPECT_LT(study.points[2].worst_relative, 1e-7);
   EXPECT_EQ(study.points[3].status, "unstable");
-  EXPECT_EQ(study.points[0].error_rms.size(), scene.output_times.size());
+  EXPECT_EQ(study.points[0].error_rms.size(), study.output_times.size());
   EXPECT_EQ(study.reference, "exponential:basis=chebyshev,rtol=1e-14");
 }
 
 TEST(WorkPrecision, WhatLeavesItsRangeWinsNothing) {
-  const Scene scene = load_scene(std::string(SUPERSTEP_SOURCE_DIR) + "/cases/lattice.toml");
-  Progress progress(false);
-  WorkPrecisionOptions options;
-  options.use_cache = false;
-  options.repetitions = 2;
-  options.integrators = {"sts:n=10,nu=1e-4", "sts:n=20,nu=1e-5"};
-  const auto study = work_precision(scene, options, progress);
+  const auto study = swept("lattice", {"sts:n=10,nu=1e-4", "sts:n=20,nu=1e-5"});
   EXPECT_EQ(study.points[0].status, "ok") << "its error, 11 %, stands beside it";
   EXPECT_EQ(study.points[1].status, "inaccurate");
   EXPECT_NE(study.points[1].reason.find("leaves the range"), std::string::npos) << study.points[1].reason;
   EXPECT_TRUE(study.points[1].cpu.has_value());
-  EXPECT_EQ(study.points[1].error_rms.size(), scene.output_times.size());
+  EXPECT_EQ(study.points[1].error_rms.size(), study.output_times.size());
 }
 
 }  // namespace
