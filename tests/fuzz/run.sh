@@ -12,7 +12,8 @@ shift || true
 readers=${*:-case network packing spec program results report checkpoint cache}
 build=$source_folder/build/fuzz
 cmake -S "$source_folder" -B "$build" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DSUPERSTEP_FUZZ=ON -DSUPERSTEP_TESTS=OFF -DSUPERSTEP_MICRO=OFF >"$build.log" 2>&1 || { tail -20 "$build.log"; exit 1; }
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_UNITY_BUILD=ON -DSUPERSTEP_FUZZ=ON -DSUPERSTEP_TESTS=OFF -DSUPERSTEP_MICRO=OFF \
+  >"$build.log" 2>&1 || { tail -20 "$build.log"; exit 1; }
 targets=()
 for reader in $readers; do
   targets+=("fuzz_$reader")

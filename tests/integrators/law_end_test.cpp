@@ -61,5 +61,22 @@ TEST_P(AtTheEndOfALaw, ASolutionThatRunsAlongItIsIntegrated) {
   EXPECT_TRUE(run.outcome.ok()) << run.outcome.reason;
 }
 
+/// Eighty million times the conductance within half a millikelvin: the step falls by as much at once, over
+/// more trials than the seven after which ARKODE gives up by itself.
+TEST(InsideALaw, AJumpIsPassedByArkode) {
+  const test::TemporaryFolder folder;
+  folder.write("pair.csv", "id,x,y,z,radius\n0,0,0,0,0.5\n1,0.98,0,0,0.5\n");
+  const Scene scene = load_scene(folder.write(
+      "case.toml",
+      "t_end = 3000.0\n[packing]\nfile = \"pair.csv\"\nlength_unit = \"mm\"\n[material]\ndensity = 2500.0\n"
+      "[contact]\nneck = \"hertz\"\n[thermal]\nspecific_heat = 500.0\ninitial = 300.0\n"
+      "conductivity = { law = \"table\", temperatures = [300.0, 415.6, 415.6005, 600.0],\n"
+      "  values = [0.05, 0.05, 4e6, 4e6] }\n"
+      "fixed = [ { where = { ids = [0] }, value = 530.0 } ]\n"));
+  const RunResult run = run_one(scene, "arkode:rtol=1e-7", {});
+  EXPECT_TRUE(run.outcome.ok()) << run.outcome.reason;
+  EXPECT_GT(run.statistics.rejected, 7u);
+}
+
 }  // namespace
 }  // namespace superstep
