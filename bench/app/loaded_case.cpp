@@ -65,7 +65,7 @@ LoadedCase load_checked_case(const std::string& file, bool quiet) {
 LoadedCase load_case_to_run(const std::string& file, bool quiet) {
   const double begin = process_cpu_seconds();
   TomlTable root = parse_case(file);
-  auto scene = share_layers(file);
+  auto scene = share_layers(file, quiet);
   if (!scene) return load(std::move(root), begin, quiet);
   LoadedCase one{.content = std::move(*scene)};
   one.cpu_setup = process_cpu_seconds() - begin;

@@ -30,7 +30,8 @@ void take_nodes(const ReadLayers& read, const LayeredNodes& nodes, std::int64_t 
   const Packing& packing = read.packed.packing;
   const Graph& graph = read.field.graph;
   for (std::size_t k = 0; k < packing.size(); ++k) {
-    if (packing.id[k] < nodes.begin || packing.id[k] >= std::min(end, nodes.end)) continue;
+    const std::int64_t node = read.first_node + static_cast<std::int64_t>(k);
+    if (node < nodes.begin || node >= std::min(end, nodes.end)) continue;
     piece.id.push_back(packing.id[k]);
     piece.centre.push_back(packing.centre[k]);
     piece.radius.push_back(packing.radius[k]);
@@ -42,7 +43,7 @@ void take_nodes(const ReadLayers& read, const LayeredNodes& nodes, std::int64_t 
 void take_contacts(const ReadLayers& read, const LayeredNodes& nodes, std::int64_t end, Piece& piece) {
   const Contacts& contacts = read.packed.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const std::int64_t i = contacts.i[c] + read.first_node(), j = contacts.j[c] + read.first_node();
+    const std::int64_t i = contacts.i[c] + read.first_node, j = contacts.j[c] + read.first_node;
     if (i < nodes.begin || i >= std::min(end, nodes.end)) continue;
     piece.lines.emplace_back(i, j);
     piece.overlap.push_back(contacts.overlap[c]);
@@ -54,13 +55,13 @@ void take_contacts(const ReadLayers& read, const LayeredNodes& nodes, std::int64
 /// Layer by layer, each with the next one, which its contacts reach.
 Piece read_piece(const Scene& scene, std::span<const double> state) {
   LayeredNodes& nodes = *scene.layers;
-  const Lattice& lattice = nodes.lattice();
+  const LayerSource& source = nodes.source();
   const double origin = scene.fields.front().origin;
   Piece piece;
   std::size_t row = 0;
   nodes.for_stretches([&](std::int64_t first, std::int64_t last) {
-    const ReadLayers read = nodes.reader().read(first, std::min(last + 1, lattice.cells[2]), true);
-    const std::int64_t end = last * lattice.layer();
+    const ReadLayers read = nodes.reader().read(first, std::min(last + 1, source.layers()), true);
+    const std::int64_t end = source.nodes_before(last);
     take_nodes(read, nodes, end, origin, state, row, piece);
     take_contacts(read, nodes, end, piece);
   });
@@ -90,13 +91,13 @@ VtkPolyData particles_of(const Piece& piece, const std::string& field, double t)
 VtkPolyData contacts_of(const LayeredNodes& nodes, const std::string& field, double t,
                         std::span<const double> beyond, Piece& piece) {
   const auto ghosts = ghosts_of(piece, nodes.end);
-  const Lattice& lattice = nodes.lattice();
+  const LayerSource& source = nodes.source();
   const std::size_t own = piece.id.size();
   if (!ghosts.empty()) {
-    const std::int64_t first = nodes.layer_of_node(ghosts.front());
-    const Packing packing = lattice_layers(lattice, first, nodes.layer_of_node(ghosts.back()) + 1);
+    const std::int64_t first = source.layer_of_node(ghosts.front());
+    const Packing packing = source.packing(first, source.layer_of_node(ghosts.back()) + 1);
     for (const auto ghost : ghosts)
-      piece.centre.push_back(packing.centre[at(ghost - first * lattice.layer())]);
+      piece.centre.push_back(packing.centre[at(ghost - source.nodes_before(first))]);
   }
   std::vector<double> flux;
   for (std::size_t c = 0; c < piece.lines.size(); ++c) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "case/checks/field_at_state.hpp"
 #include "case/checks/skips.hpp"
@@ -31,7 +32,15 @@ bool varies(const FieldScene& field) {
                      [](const auto& law) { return law.varies(); });
 }
 
+/// Rows that stand in the order of the nodes are all free ones: who has a part of them cannot know in which
+/// clusters nothing happens, and rows would be others.
+void integrate_idle_clusters(RoleReport& report) {
+  std::replace(report.roles.begin(), report.roles.end(), NodeRole::idle, NodeRole::free);
+  report.floating += std::exchange(report.idle_clusters, 0);
+}
+
 std::vector<char> apply_roles(RoleReport report, FieldScene& field) {
+  if (field.in_order && !field.steady) integrate_idle_clusters(report);
   field.roles = std::move(report.roles);
   field.components = report.components;
   field.idle_clusters = report.idle_clusters;
@@ -269,6 +278,7 @@ void list_skips(Scene& scene) {
   const FieldScene* electric = find_field(scene, "potential");
   const FieldScene* thermal = find_field(scene, "temperature");
   for (const auto& field : scene.fields) list_field_skips(field, scene.fields.size() == 1, scene);
+  if (scene.fields.front().in_order) scene.skips.push_back(order_skip());
   if (!electric) scene.skips.push_back(electric_skip());
   if (!thermal) scene.skips.push_back({"temperature field", "the case has no [thermal]"});
   if (!scene.packed) {

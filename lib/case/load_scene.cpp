@@ -142,7 +142,7 @@ Scene load_scene(TomlTable root, const CaseData& data) {
 }
 
 std::size_t Scene::nodes() const noexcept {
-  return layers ? at(layers->lattice().size()) : fields.front().graph.nodes();
+  return layers ? at(layers->source().nodes()) : fields.front().graph.nodes();
 }
 
 std::size_t Scene::edges() const noexcept {

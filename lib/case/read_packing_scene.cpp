@@ -13,6 +13,7 @@
 #include "packing/generate.hpp"
 #include "packing/grid.hpp"
 #include "packing/pack_checks.hpp"
+#include "packing/parts/layers.hpp"
 #include "packing/read.hpp"
 
 namespace superstep {
@@ -59,6 +60,15 @@ SizeDistribution read_sizes(TomlTable table, double unit) {
 }
 
 namespace {
+
+/// Whether rows stand in layers of the packing instead of an order that is looked for.
+bool wants_layers(TomlTable& packing) {
+  const auto order = packing.find("order");
+  if (!order) return false;
+  const std::string word = order->string();
+  if (word != "layers" && word != "bandwidth") order->reject("it must be \"bandwidth\" or \"layers\"");
+  return word == "layers";
+}
 
 std::int64_t non_negative(TomlTable& table, const std::string& key, std::int64_t fallback) {
   const auto value = table.find(key);
@@ -181,7 +191,7 @@ PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
   if (file && generator)
     throw InputError(fmt::format("{}: give either 'file' or 'generator', one of them", packing->where()));
   if (generator)
-    for (const char* key : {"units", "periodic", "box", "format", "atom_style", "columns"})
+    for (const char* key : {"units", "periodic", "box", "format", "atom_style", "columns", "order"})
       if (const auto value = packing->find(key))
         value->reject("it says how a packing file is read, and the case has a generator; leave it out");
   input.unit = options.length_unit.value_or(1.0);
@@ -190,6 +200,7 @@ PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
       : file  ? read_named_file(*file, [&](const auto& path) { return read_packing(path, options); })
               : read_generator(*packing, *generator, input.unit);
   if (file) input.unit = input.scene.packing.length_unit;
+  if (wants_layers(*packing)) stand_in_layers(input.scene.packing);
   input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))
     input.scene.container = read_container(*container, input.unit);

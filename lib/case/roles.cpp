@@ -4,19 +4,13 @@
 
 #include <algorithm>
 
+#include "case/component_facts.hpp"
 #include "core/error.hpp"
 #include "core/index.hpp"
 #include "network/components.hpp"
 
 namespace superstep {
 namespace {
-
-struct ComponentFacts {
-  bool seen = false, uniform = true, acted_on = false, sourced = false;
-  bool has_fixed = false, has_free = false, exchanges = false, fixed_differ = false, follows_table = false;
-  double value = 0, fixed_value = 0;
-  [[nodiscard]] bool idle() const noexcept { return uniform && !acted_on && !sourced && has_free; }
-};
 
 /// Components of the graph as stated: an eliminated node is joined with whatever its value follows.
 Components stated_components(const Graph& graph, std::span<const AlgebraicNode> algebraic) {
@@ -42,20 +36,7 @@ void examine_values(const Graph& graph, const Components& components, std::span<
                     std::vector<ComponentFacts>& facts) {
   for (std::size_t node = 0; node < graph.nodes(); ++node) {
     if (eliminated[node]) continue;
-    auto& fact = facts[at(components.of_node[node])];
-    const bool fixed = graph.is_fixed[node] != 0;
-    const double value = fixed ? graph.fixed_value[node] : graph.initial[node];
-    if (fact.seen && value != fact.value) fact.uniform = false;
-    fact.seen = true;
-    fact.value = value;
-    const bool varies = fixed && !graph.fixed_table.empty() && graph.fixed_table[node] >= 0;
-    fact.follows_table = fact.follows_table || varies;
-    if (varies) fact.uniform = false;
-    if (fixed && fact.has_fixed && (fact.follows_table || value != fact.fixed_value))
-      fact.fixed_differ = true;
-    if (fixed) fact.fixed_value = value;
-    fact.sourced = fact.sourced || (!fixed && graph.source[node] != 0);
-    (fixed ? fact.has_fixed : fact.has_free) = true;
+    facts[at(components.of_node[node])].take_node(graph, node);
   }
 }
 
@@ -69,11 +50,7 @@ std::vector<ComponentFacts> examine(const Graph& graph, const Components& compon
   for (const auto& source : graph.tabled_sources)
     if (!graph.is_fixed[at(source.node)]) fact_of(source.node).sourced = true;
   for (const auto* exchanges : {&graph.convection, &graph.radiation})
-    for (const auto& exchange : *exchanges) {
-      auto& fact = fact_of(exchange.node);
-      fact.exchanges = true;
-      if (exchange.table >= 0 || exchange.ambient != fact.value) fact.acted_on = true;
-    }
+    for (const auto& exchange : *exchanges) fact_of(exchange.node).take_exchange(exchange);
   for (std::size_t node = 0; node < acted_on.size(); ++node)
     if (acted_on[node] && !graph.is_fixed[node]) facts[at(components.of_node[node])].acted_on = true;
   return facts;
@@ -93,7 +70,7 @@ RoleReport assign_roles(const Graph& graph, const std::string& where, std::span<
   for (const auto& fact : facts) {
     if (something_moves && fact.idle()) {
       ++report.idle_clusters;
-    } else if (fact.has_free && !fact.has_fixed) {
+    } else if (fact.floats()) {
       ++report.floating;
       if (!fact.exchanges) ++report.adrift;
     }

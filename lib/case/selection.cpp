@@ -49,23 +49,34 @@ std::vector<char> named_layer(const TomlValue& where, const std::string& side, c
 }
 
 double mean_diameter(const Packing& packing) {
+  if (packing.mean_diameter) return *packing.mean_diameter;
   return 2 * std::accumulate(packing.radius.begin(), packing.radius.end(), 0.0) /
          static_cast<double>(packing.size());
 }
 
-std::vector<char> by_ids(const TomlValue& ids, const Packing& packing) {
+/// Notes whether what stands at a place of the case held anybody.
+void note(const TomlValue& value, bool found, SelectionLog& log) {
+  bool& somebody = log.try_emplace(value.where() + " is " + value.shown()).first->second;
+  somebody = somebody || found;
+}
+
+std::vector<char> by_ids(const TomlValue& ids, const Packing& packing, SelectionLog* log) {
   if (ids.array().empty()) ids.reject("it must hold at least one id");
   std::unordered_map<std::int64_t, std::size_t> position;
   for (std::size_t k = 0; k < packing.size(); ++k) position.emplace(packing.id[k], k);
+  const auto may_be_elsewhere = [&](std::int64_t id) {
+    if (!packing.part_of) return false;
+    return !packing.part_of->ids_count || (id >= 0 && id < packing.part_of->particles);
+  };
   std::vector<char> out(packing.size(), 0);
   for (const auto& id : ids.array()) {
     const auto found = position.find(id.integer());
-    const bool elsewhere = packing.part_of && id.integer() >= 0 && id.integer() < packing.part_of->particles;
-    if (found == position.end() && !elsewhere)
+    if (found == position.end() && !may_be_elsewhere(id.integer()))
       id.reject(
           "it must be the id of a particle in the packing; " +
           (packing.part_of ? ids_in_words(0, packing.part_of->particles - 1) : ids_in_words(packing.id)));
     if (found != position.end()) out[found->second] = 1;
+    if (log && packing.part_of && !packing.part_of->ids_count) note(id, found != position.end(), *log);
   }
   return out;
 }
@@ -83,11 +94,11 @@ void require_one_selector(const TomlValue& where, TomlTable& table) {
   if (first.empty()) table.missing("ids", "it must hold ids, box, layer, sphere or cylinder");
 }
 
-std::vector<char> by_table(const TomlValue& where, const Packing& packing, double unit) {
+std::vector<char> by_table(const TomlValue& where, const Packing& packing, double unit, SelectionLog* log) {
   TomlTable table = where.table();
   require_one_selector(where, table);
   std::vector<char> out;
-  if (const auto ids = table.find("ids")) out = by_ids(*ids, packing);
+  if (const auto ids = table.find("ids")) out = by_ids(*ids, packing, log);
   if (auto box = table.table("box")) {
     const Vec3 low = point(*box, "min", unit), high = point(*box, "max", unit);
     out = mask(packing, [&](Vec3 c) {
@@ -130,17 +141,15 @@ std::vector<char> select_particles(const TomlValue& where, const Packing& packin
     else
       out = named_layer(where, name, packing, mean_diameter(packing));  // one mean diameter thick
   } else if (where.is_table()) {
-    out = by_table(where, packing, unit);
+    out = by_table(where, packing, unit, log);
   } else {
     where.reject("it must be \"all\", \"top\", \"bottom\" or a table such as { ids = [1, 2] }");
   }
   const bool nobody = std::none_of(out.begin(), out.end(), [](char chosen) { return chosen != 0; });
-  if (log) {
-    bool& somebody = log->try_emplace(where.where() + " is " + where.shown()).first->second;
-    somebody = somebody || !nobody;
-  } else if (nobody) {
+  if (log)
+    note(where, !nobody, *log);
+  else if (nobody)
     where.reject(selects_nobody);
-  }
   return out;
 }
 

@@ -22,6 +22,7 @@ std::string broken_rule(const Lattice& lattice) {
 Packing lattice_layers(const Lattice& lattice, std::int64_t first, std::int64_t last) {
   Packing packing;
   packing.in_order = true;
+  packing.mean_diameter = lattice.diameter;
   const auto size = static_cast<std::size_t>((last - first) * lattice.layer());
   packing.id.reserve(size);
   packing.centre.reserve(size);

@@ -25,7 +25,8 @@ struct Bounds {
 /// What a packing is a part of, where others have the rest.
 struct PackingPart {
   Bounds bounds;               ///< m, around the surfaces of all spheres
-  std::int64_t particles = 0;  ///< all there are; their ids are 0, 1, 2, ...
+  std::int64_t particles = 0;  ///< all there are
+  bool ids_count = true;       ///< their ids are 0, 1, 2, ...; else others have some that nobody here knows
 };
 
 /// n spheres, structure of arrays, SI units.
@@ -49,6 +50,8 @@ struct Packing {
   std::vector<std::string> warnings;         ///< what its user should look at
   bool in_order = false;  ///< spheres that touch stand near each other: nobody need look for a better order
   std::optional<PackingPart> part_of;  ///< where others have the rest of it
+  std::optional<double>
+      mean_diameter;  ///< m, of all spheres, where it must not hang on how they are added up
 
   [[nodiscard]] std::size_t size() const noexcept { return radius.size(); }
 };

@@ -59,13 +59,13 @@ std::string read_content(const std::string& path, const PackingOptions& options)
   return holds_doubles(path, bytes, options) ? bytes : to_utf8(std::move(bytes));
 }
 
-PackingFile open(const std::string& path, const std::string& content, const PackingOptions& options) {
+PackingFile open(const std::string& path, std::string_view content, const PackingOptions& options) {
   require_content(content, path);
   PackingFile file{.path = path,
                    .content = content,
                    .options = options,
                    .stated = std::nullopt,
-                   .is_text = content.find('\0') == std::string::npos};
+                   .is_text = content.find('\0') == std::string_view::npos};
   if (file.is_text) file.stated = stated_length_unit(path, content);
   return file;
 }
@@ -174,6 +174,18 @@ Packing read_packing(const std::string& path, const PackingOptions& options) {
       format.ends_lines && file.is_text && !unfinished.empty())
     packing.warnings.push_back(std::move(unfinished));
   apply_box(options, path, packing);
+  return packing;
+}
+
+bool is_table(const std::string& path, std::string_view text, const PackingOptions& options) {
+  return !holds_doubles(path, text, options) &&
+         &choose_format(open(path, text, options)) == &formats().back();
+}
+
+Packing read_table(const std::string& path, std::string_view text, const PackingOptions& options) {
+  Packing packing = formats().back().read(open(path, text, options));
+  packing.format = formats().back().name;
+  packing.place = path;
   return packing;
 }
 

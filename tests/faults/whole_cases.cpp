@@ -93,7 +93,7 @@ Tree fields() {
   tree["packing"] =
       Tree::parse(R"({ "file": "lattice.csv", "length_unit": "mm", "units": "auto", "format": "auto",
     "periodic": "none", "box": { "min": [-1.0, -1.0, -1.0], "max": [4.8, 4.8, 4.8] },
-    "columns": ["id", "x", "y", "z", "radius"], "container": { "width": 5.8, "depth": 5.8, "height": 5.8 } })");
+    "columns": ["id", "x", "y", "z", "radius"], "order": "bandwidth", "container": { "width": 5.8, "depth": 5.8, "height": 5.8 } })");
   tree["material"] = {{"density", 1000.0}};
   tree["contact"] = {{"neck", "plastic"}, {"hardening", 1.0},    {"conductance", "series"},
                      {"gap", 0.01},       {"bond_radius", 0.05}, {"bonds", "bonds.csv"}};

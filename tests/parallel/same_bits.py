@@ -6,6 +6,7 @@
 Skipped (77) where there is no mpirun or the program was built without MPI.
 """
 
+import gzip
 import hashlib
 import json
 import os
@@ -41,6 +42,8 @@ METHODS = {
     "lattice": (EXPLICIT + EXPONENTIAL + ITERATIVE, []),
     "lattice_radiating": (EXPLICIT, []),
     "lattice_varying": (SOME, DIRECT),  # one process reads it for all
+    "bed": (SOME + ["sts:n=10,nu=1e-3", "exponential:rtol=1e-5", "cvode:linsol=pcg,rtol=1e-3"], []),
+    "bed_radiating": (SOME, []),
     "hub": (EXPLICIT + EXPONENTIAL + ITERATIVE, DIRECT),
 }
 COUNTS = ["steps", "rejected", "rhs", "jacobians", "factorizations", "solves", "max_stages"]
@@ -153,6 +156,52 @@ def check_layers(runner):
                                  f"instead of {alone.stderr.decode()[-300:]}")
 
 
+def check_parts_of_files(runner):
+    """A table that processes read together: what is wrong is said as one process says it, with the line; what cannot be
+    read in parts gives the same bits, and the reason."""
+    with open(f"{runner.folder}/bed.csv") as file:
+        rows = file.read()
+    with open(f"{runner.folder}/bed.toml") as file:
+        case = file.read()
+    first, last = [line for line in rows.splitlines() if line.startswith("-")][0], rows.rstrip().splitlines()[-1]
+    name, x, y, z, size, rest = last.split("; ")
+    wrong_rows = {
+        "a number": rows.replace(x, "1.5e"), "a size": rows.replace(f"{z}; {size}", f"{z}; -1"),
+        "an id": rows + f"{first.split('; ')[0]}; 90; 90; 90; 1; 1\n", "a centre": rows + f"99999; {x}; {y}; {z}; 1; 1\n",
+        "a row": rows + "1; 2; 3\n", "a large one": rows + f"99999; {x}; {y}; {z}1; 30; 1\n",
+        "nobody": "".join(rows.splitlines(keepends=True)[:3]), "no number": rows.replace(x, "nan"),
+        "a gap": rows.replace(f"; {z}; ", "; ; "), "a far one": rows + "99999; 1e300; 0; 0; 1; 1\n"}
+    wrong_cases = {
+        "another id": case.replace("5807", "5808"), "another probe": case.replace("2013", "2014"),
+        "nobody there": case.replace('where = "-y"', "where = { box = { min = [50, 50, 50], max = [60, 60, 60] } }"),
+        "a word": case.replace('"layers"', '"layer"'), "a key": case.replace("initial", "intial"),
+        "all fixed": case.replace('where = "-y"', 'where = "all"')}
+    texts = [(name, text, case) for name, text in wrong_rows.items()] + [(name, rows, text) for name, text in wrong_cases.items()]
+    for name, table, text in texts:
+        with open(f"{runner.folder}/wrong_bed.csv", "w") as file:
+            file.write(table)
+        with open(f"{runner.folder}/wrong_bed.toml", "w") as file:
+            file.write(text.replace("bed.csv", "wrong_bed.csv"))
+        alone, together = (runner.call(processes, ["run", "wrong_bed.toml"]) for processes in (1, 3))
+        runner.compared += 1
+        if (alone.returncode, together.returncode) != (3, 3) or alone.stderr not in together.stderr or \
+                together.stderr.decode().count("superstep: error: ") != 1:
+            runner.faults.append(f"bed with {name}: exit {alone.returncode} and {together.returncode}: "
+                                 f"{together.stderr.decode()[-300:]} instead of {alone.stderr.decode()[-300:]}")
+    with gzip.open(f"{runner.folder}/bed.csv.gz", "wt") as file:
+        file.write(rows)
+    with open(f"{runner.folder}/packed_bed.toml", "w") as file:
+        file.write(case.replace("bed.csv", "bed.csv.gz"))
+    said = runner.call(3, ["run", "packed_bed.toml", "--out", f"{runner.folder}/said"]).stderr.decode()
+    if "packed_bed.toml: process 1 of 3 reads the packing for all: it is packed" not in said:
+        runner.faults.append(f"a packed bed: {said}")
+    (plain, packed) = (runner.run(scene, SOME, processes) for scene, processes in (("bed", 3), ("packed_bed", 3)))
+    for spec in plain:
+        runner.compared += 1
+        if plain[spec][:2] != packed[spec][:2]:
+            runner.faults.append(f"a packed bed, {spec}: another result")
+
+
 def check_counters(runner):
     """What lib/parallel says that is sent and added up, step by step, on a ring: at every cut each side wants two
     values of the other for a sweep, in one message."""
@@ -193,6 +242,7 @@ def main():
             for scene in ("linear", "hub"):
                 runner.compare(scene, 4, 1, block)
         check_layers(runner)
+        check_parts_of_files(runner)
         check_counters(runner)
         check_errors(runner)
     print(f"{runner.compared} results compared, {len(runner.faults)} faults")

@@ -57,6 +57,29 @@ neck = "hertz"
 
 
 
+# Every process reads its own part of the file.
+BED = """
+t_end = {t_end}
+output_times = [1.0, {t_end}]
+probe = ["mid-height", 2013, -500]
+
+[packing]
+file = "bed.csv"
+order = "layers"
+
+[material]
+density = 7800.0
+
+[contact]
+neck = "hertz"
+
+[thermal]
+conductivity = 50.0
+specific_heat = 500.0
+initial = {initial}
+"""
+
+
 def heated_lattice(cells, t_end, early):
     """Held at 400 and 300 K; nobody of several processes has all of it."""
     return (LATTICE.format(t_end=t_end, early=early, cells=cells, diameter=1.02) +
@@ -81,6 +104,26 @@ def write_lattice(path, across=6, high=26):
                         radius = 0.505 if (i + 2 * j + 3 * k) % 5 else 0.515
                         out.write(f"{number},{i + 20 * piece},{j},{k},{radius}\n")
                         number += 1
+
+
+def write_bed(path, cells=(7, 40, 6)):
+    """Spheres of many sizes about the places of a lattice, so that many touch and some nobody; rows and ids in disorder,
+    blank lines and comments between them, the longest side along y."""
+    draw = 12345
+    rows = []
+    for k in range(cells[0] * cells[1] * cells[2]):
+        numbers = []
+        for _ in range(5):
+            draw = (draw * 1103515245 + 12345) % 2**31
+            numbers.append(draw / 2**31)
+        x, y, z = k % cells[0], k // cells[0] % cells[1], k // (cells[0] * cells[1])
+        centre = [where + 0.3 * (number - 0.5) for where, number in zip((x, y, z), numbers)]
+        rows.append((numbers[4], 7 * k - 500, centre, 0.35 + 0.25 * numbers[3]))
+    with open(path, "w") as out:
+        out.write('# a bed\n# length_unit = "mm"\nid; x; y; z; diameter; colour\n')
+        for number, (draw, name, centre, radius) in enumerate(sorted(rows)):
+            out.write(f"{name}; {centre[0]!r}; {centre[1]!r}; {centre[2]!r}; {2 * radius!r}; {'nan' if number % 9 else 3}\n")
+            out.write("" if number % 100 else "\n# and on\n")
 
 
 def write_network(folder):
@@ -155,6 +198,13 @@ def scenes():
         "lattice_varying": LATTICE.format(t_end=4.0, early=1.0, cells=[6, 5, 40], diameter=1.02) +
                            THERMAL.format(conductivity=LINE, initial=300.0) +
                            'fixed = [ { where = "top", value = 400.0 }, { where = "bottom", value = 300.0 } ]\n',
+        "bed": BED.format(t_end=4.0, initial=300.0) +
+               'fixed = [ { where = "-y", value = 400.0 },\n'
+               f'          {{ where = {{ ids = {[7 * k - 500 for k in range(900, 960)]} }}, value = 350.0 }} ]\n'
+               'source = [ { where = { layer = { side = "+x", thickness = 0.9 } }, value = 0.02 } ]\n',
+        "bed_radiating": BED.format(t_end=8.0, initial=1200.0) +
+                         'convection = [ { where = "top", coefficient = 200.0, ambient = 300.0 } ]\n'
+                         'radiation = [ { where = "+y", emissivity = 0.8, ambient = 500.0 } ]\n',
         "hub": 't_end = 3.0\noutput_times = [1.0, 3.0]\nprobe = [444, 899]\n'
                '[network]\nnodes = "nodes.csv"\nedges = "edges.csv"\n',
         "ring": 't_end = 100.0\nprobe = [5]\n[network]\nnodes = "ring_nodes.csv"\nedges = "ring_edges.csv"\n',
@@ -166,6 +216,7 @@ def write_scenes(folder):
     """Writes all cases and what they name; returns their names."""
     os.makedirs(folder, exist_ok=True)
     write_lattice(f"{folder}/lattice.csv")
+    write_bed(f"{folder}/bed.csv")
     write_network(folder)
     write_ring(folder)
     for name, text in scenes().items():

@@ -30,8 +30,9 @@ class Place:
         texts = scenes.scenes()
         # Too many lines for one process to keep them.
         texts["lattice_large"] = scenes.heated_lattice([60, 50, 150], t_end=0.02, early=0.01)
-        for name in ("lattice", "lattice_radiating", "lattice_large"):
+        for name in ("lattice", "lattice_radiating", "lattice_large", "bed"):
             (folder / f"{name}.toml").write_text(texts[name])
+        scenes.write_bed(folder / "bed.csv")
 
     def call(self, processes, arguments, before="", rank=None, variables=()):
         """`before`: words of a shell for every process; `variables` of one `rank` alone."""
@@ -138,7 +139,7 @@ def check_failures(place):
 def check_pieces(place):
     """Fields to draw: one process after another number of them, so that what these left must go."""
     checker = pathlib.Path(__file__).with_name("check_pieces.py")
-    for scene in ("lattice", "lattice_radiating"):
+    for scene in ("lattice", "lattice_radiating", "bed"):
         few = ["--block-rows", "64", "--vtk"]
         alone = place.run(1, scene, "drawn_alone", few)
         place.expect(alone.returncode == 0, f"{scene}: {alone.stderr.decode()[-500:]}")

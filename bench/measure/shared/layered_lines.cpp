@@ -47,7 +47,8 @@ void for_own_lines(const Scene& scene, std::span<const double> state, const Each
     const Packing& packing = read.packed.packing;
     const Graph& graph = read.field.graph;
     for (std::size_t k = 0; k < packing.size(); ++k) {
-      if (packing.id[k] < nodes.begin || packing.id[k] >= nodes.end) continue;
+      const std::int64_t node = read.first_node + static_cast<std::int64_t>(k);
+      if (node < nodes.begin || node >= nodes.end) continue;
       const double value = graph.is_fixed[k] ? graph.fixed_value[k] : state[row++] + origin;
       const auto [x, y, z] = packing.centre[k];
       append(text, "{},{},{},{},{},{}\n", packing.id[k], x, second.text(y), third.text(z),

@@ -14,10 +14,34 @@
 
 namespace superstep {
 
-std::optional<Scene> share_layers(const std::string& file) {
+namespace {
+
+/// A mistake that a process found in its part of a file: the file as a whole says where, as far as memory
+/// goes.
+[[noreturn]] void say_as_of_the_whole(const InputError& error, const std::string& text,
+                                      const std::string& file) {
+  try {
+    (void)load_scene(TomlTable::parse_text(text, file));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception&) {  // the part's own words will do
+  }
+  throw InputError(error.what());
+}
+
+}  // namespace
+
+std::optional<Scene> share_layers(const std::string& file, bool quiet) {
   if (world().alone()) return std::nullopt;
   const std::string text = read_text_file(file);
-  if (!can_be_layered(TomlTable::parse_text(text, file))) return std::nullopt;
+  std::string why_not;
+  const auto source = layers_of(TomlTable::parse_text(text, file), why_not);
+  if (!source) {
+    if (!why_not.empty() && !quiet)
+      note("",
+           fmt::format("{}: process 1 of {} reads the packing for all: {}", file, world().size(), why_not));
+    return std::nullopt;
+  }
   Packer out;
   out.put(Order::layers);
   out.put(block_rows());
@@ -26,8 +50,8 @@ std::optional<Scene> share_layers(const std::string& file) {
   for (int to = 1; to < world().size(); ++to) world().send(to, out.bytes());
   try {
     return build_in_layers(TomlTable::parse_text(text, file), world());
-  } catch (const InputError&) {  // everybody's
-    throw;
+  } catch (const InputError& error) {  // everybody's
+    say_as_of_the_whole(error, text, file);
   } catch (const std::exception& error) {  // the others would wait for ever
     note("error: ", fmt::format("process 1 of {}: {}", world().size(), error.what()));
     world().abort(static_cast<int>(ExitCode::internal));

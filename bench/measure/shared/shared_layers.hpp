@@ -11,7 +11,8 @@ namespace superstep {
 
 /// On the root: has a case built by all processes. Nothing where it is not one that they can build like that,
 /// or where there is one process. Throws InputError.
-[[nodiscard]] std::optional<Scene> share_layers(const std::string& file);
+///   quiet  nothing is said of a case that asks for it and cannot have it
+[[nodiscard]] std::optional<Scene> share_layers(const std::string& file, bool quiet);
 /// Elsewhere: the part that this process has then. Throws InputError where the root does.
 [[nodiscard]] ScenePart take_layers(Unpacker& in);
 /// The root's own part.

@@ -13,6 +13,9 @@ namespace superstep {
   return {quantity(nodes, "fixed node") + of_field,
           nodes == 1 ? "its value is known" : "their values are known"};
 }
+[[nodiscard]] inline Skip order_skip() {
+  return {"another order of the rows", "spheres that touch stand near each other already"};
+}
 [[nodiscard]] inline Skip electric_skip() {
   return {"electric field", "the case has no [electric]"};
 }

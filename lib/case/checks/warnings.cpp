@@ -27,9 +27,17 @@ void add_warnings(const std::vector<std::string>& more, std::vector<std::string>
     if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
-std::string limited_necks_warning(std::size_t limited, std::size_t contacts) {
-  return fmt::format("{} of {} limited to the smaller radius", limited,
-                     quantity(contacts, "neck was", "necks were"));
+std::vector<std::string> packing_warnings(const PackingFacts& facts) {
+  std::vector<std::string> out;
+  warn_outside(out, "diameter", 2 * facts.smallest_radius, 2 * facts.largest_radius, 1e-7, 0.1,
+               "m (is length_unit right?)");
+  const double coordination = 2 * static_cast<double>(facts.contacts) / static_cast<double>(facts.particles);
+  constexpr std::size_t few = 100;
+  if (facts.particles > few) warn_outside(out, "mean coordination", coordination, coordination, 3, 12, "");
+  if (facts.limited_necks > 0)
+    out.push_back(fmt::format("{} of {} limited to the smaller radius", facts.limited_necks,
+                              quantity(facts.contacts, "neck was", "necks were")));
+  return out;
 }
 
 std::string floating_warning(std::size_t clusters, const std::string& field) {
@@ -43,13 +51,11 @@ std::vector<std::string> range_warnings(const Scene& scene) {
     const auto& packed = *scene.packed;
     const auto [smallest, largest] =
         std::minmax_element(packed.packing.radius.begin(), packed.packing.radius.end());
-    warn_outside(out, "diameter", 2 * *smallest, 2 * *largest, 1e-7, 0.1, "m (is length_unit right?)");
-    const double particles = static_cast<double>(packed.packing.size());
-    const double coordination = 2 * static_cast<double>(packed.contacts.size()) / particles;
-    if (packed.packing.size() > 100)
-      warn_outside(out, "mean coordination", coordination, coordination, 3, 12, "");
-    if (packed.neck_report.limited > 0)
-      out.push_back(limited_necks_warning(packed.neck_report.limited, packed.contacts.size()));
+    out = packing_warnings({.smallest_radius = *smallest,
+                            .largest_radius = *largest,
+                            .particles = packed.packing.size(),
+                            .contacts = packed.contacts.size(),
+                            .limited_necks = packed.neck_report.limited});
   }
   if (scene.rhs && !scene.output_times.empty()) {
     constexpr double many = 1e14;  // the roundings of so many exchanges are a per cent

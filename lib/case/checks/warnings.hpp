@@ -17,7 +17,11 @@ void add_warnings(const std::vector<std::string>& more, std::vector<std::string>
 [[nodiscard]] std::vector<std::string> range_warnings(const Scene& scene);
 
 /// Parts of the same, for who counts by itself.
-[[nodiscard]] std::string limited_necks_warning(std::size_t limited, std::size_t contacts);
+struct PackingFacts {
+  double smallest_radius = 0, largest_radius = 0;  ///< m
+  std::size_t particles = 0, contacts = 0, limited_necks = 0;
+};
+[[nodiscard]] std::vector<std::string> packing_warnings(const PackingFacts& facts);
 [[nodiscard]] std::string floating_warning(std::size_t clusters, const std::string& field);
 
 /// Why the sizes of a scene's particles are almost surely a slip in the unit of length, and which unit is

@@ -141,6 +141,9 @@ void list_packing_keys(KeyList& keys) {
       "auto";
   keys.text("atom_style", "LAMMPS data: the order of the columns of Atoms, as in hybrid sphere bond");
   keys.list("columns", CaseKey::text, "names of the columns, for files that do not name them");
+  keys.text("order", "of the rows: of small bandwidth, or in layers, which processes read for themselves",
+            {"bandwidth", "layers"})
+      .fallback = "bandwidth";
   keys.number("diameter", positive_number, "length_unit", "of a cylinder; lattice: of the spheres");
   keys.number("width", positive_number, "length_unit", "of a box");
   keys.number("depth", positive_number, "length_unit", "of a box");

@@ -15,28 +15,8 @@ struct LayerFacts {
 /// same.
 [[nodiscard]] LayerFacts count_layers(LayeredNodes& nodes, Communicator& among);
 
-/// Does what may throw InputError on some process; then all throw that of the lowest rank. Collective.
-template <class Work>
-void agreed(Communicator& among, const Work& work);
-
 /// The node that a row belongs to; 0 for the first row, the number of nodes for the one behind the last.
-[[nodiscard]] std::int64_t node_of_row(LayeredNodes& nodes, std::int64_t row);
-
-}  // namespace superstep
-
-#include "core/error.hpp"
-
-namespace superstep {
-
-template <class Work>
-void agreed(Communicator& among, const Work& work) {
-  std::optional<std::string> wrong;
-  try {
-    work();
-  } catch (const InputError& error) {
-    wrong = error.what();
-  }
-  if (const auto first = among.first_of(wrong)) throw InputError(*first);
-}
+/// Collective; processes may ask for different ones.
+[[nodiscard]] std::int64_t node_of_row(LayeredNodes& nodes, std::int64_t row, Communicator& among);
 
 }  // namespace superstep

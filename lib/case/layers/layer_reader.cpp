@@ -3,28 +3,34 @@
 #include <utility>
 
 #include "case/materials.hpp"
-#include "case/packed/packing_options.hpp"
-#include "case/packed/read_lattice.hpp"
 #include "case/read_field.hpp"
 
 namespace superstep {
 
-LayerReader::LayerReader(TomlTable root) : root_(std::move(root)) {
+LayerReader::LayerReader(TomlTable root, std::unique_ptr<LayerSource> source)
+    : root_(std::move(root)), source_(std::move(source)) {
   read_head(root_, head_);
-  TomlTable packing = *root_.table("packing");
-  unit_ = read_packing_options(packing).length_unit.value_or(1.0);
-  place_ = packing.require("generator", "it names the lattice").where();
-  lattice_ = read_lattice(packing, unit_);
 }
 
 ReadLayers LayerReader::read(std::int64_t first, std::int64_t last, bool contacts) {
+  ReadLayers layers = read(source_->packing(first, last), contacts, selections_);
+  layers.first_node = source_->nodes_before(first);
+  return layers;
+}
+
+ReadLayers LayerReader::read_sample(bool contacts) {
+  SelectionLog nobody;
+  return read(source_->sample(), contacts, nobody);
+}
+
+ReadLayers LayerReader::read(Packing packing, bool contacts, SelectionLog& selections) {
   PackingInput input;
-  input.unit = unit_;
+  input.unit = source_->length_unit();
   input.t_end = head_.t_end;
-  input.scene.length_unit = unit_;
-  input.selections = &selections_;
-  input.scene.packing = lattice_layers(lattice_, first, last);
-  if (contacts) read_contact_table(root_, place_, input);
+  input.scene.length_unit = input.unit;
+  input.selections = &selections;
+  input.scene.packing = std::move(packing);
+  if (contacts) read_contact_table(root_, source_->place(), input);
   Materials materials(root_, input.scene.packing);
   TomlTable thermal = *root_.table("thermal");
   FieldScene field = read_field(thermal_kind(), thermal, input, materials, false);

@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/skips.hpp"
 #include "case/checks/warnings.hpp"
+#include "case/layers/agreed.hpp"
 #include "case/layers/layer_assembly.hpp"
+#include "case/layers/layer_clusters.hpp"
 #include "case/layers/layer_counts.hpp"
 #include "case/layers/layer_probes.hpp"
 #include "core/index.hpp"
@@ -27,21 +31,11 @@ std::vector<NodeRole> roles_of(const Graph& graph) {
   return roles;
 }
 
-/// Neighbours that a sphere can have: those within one diameter.
-std::size_t most_neighbours(const Lattice& lattice) {
-  const double reach = lattice.diameter / lattice.spacing, squared = reach * reach;
-  std::size_t count = 0;
-  for (int k = 0; k < 27; ++k) {
-    const int x = k % 3 - 1, y = k / 3 % 3 - 1, z = k / 9 - 1, distance = x * x + y * y + z * z;
-    if (distance > 0 && distance < squared) ++count;
-  }
-  return count;
-}
-
 /// What is found while the own layers are read.
 struct OwnLayers {
   double pair_step = std::numeric_limits<double>::infinity();
   std::uint64_t edges = 0, limited_necks = 0;
+  std::optional<LayerClusters> clusters;  ///< where there may be several
 };
 
 /// A contact is its first sphere's. Of nodes before `first` and from `end` on others count, or an earlier or
@@ -51,22 +45,24 @@ void count_contacts(const ReadLayers& read, const LayeredNodes& nodes, std::int6
   first = std::max(first, nodes.begin);
   end = std::min(end, nodes.end);
   const Contacts& contacts = read.packed.contacts;
+  const auto& radius = read.packed.packing.radius;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const std::int64_t node = contacts.i[k] + read.first_node();
+    const std::int64_t node = contacts.i[k] + read.first_node;
     if (node < first || node >= end) continue;
     ++own.edges;
-    if (contacts.neck_radius[k] >= 0.5 * nodes.lattice().diameter) ++own.limited_necks;
+    if (contacts.neck_radius[k] >= std::min(radius[at(contacts.i[k])], radius[at(contacts.j[k])]))
+      ++own.limited_necks;
   }
 }
 
 void read_own_layers(const Partition& partition, double origin, LayeredNodes& nodes, LayerAssembly& assembly,
                      OwnLayers& own, Scene& scene) {
-  const Lattice& lattice = nodes.lattice();
+  const LayerSource& source = nodes.source();
   nodes.for_stretches([&](std::int64_t first, std::int64_t last) {
-    const std::int64_t from = std::max<std::int64_t>(0, first - 1), to = std::min(last + 1, lattice.cells[2]);
+    const std::int64_t from = std::max<std::int64_t>(0, first - 1), to = std::min(last + 1, source.layers());
     ReadLayers read = nodes.reader().read(from, to, true);
-    const std::int64_t first_node = read.first_node();
-    count_contacts(read, nodes, first * lattice.layer(), last * lattice.layer(), own);
+    count_contacts(read, nodes, source.nodes_before(first), source.nodes_before(last), own);
+    if (own.clusters) own.clusters->take(read, source.nodes_before(first), source.nodes_before(last));
     Scene checked;
     checked.file = scene.file;
     checked.output_times = scene.output_times;
@@ -78,38 +74,40 @@ void read_own_layers(const Partition& partition, double origin, LayeredNodes& no
     std::vector<std::int32_t> order(field.graph.nodes());
     std::iota(order.begin(), order.end(), 0);
     assembly.take(build_network_in_order(field.graph, roles, origin, order), nodes.rows_before[at(from)],
-                  first_node, nodes.rows_before[at(first)], nodes.rows_before[at(last)]);
-    for (std::size_t k = 0, row = at(nodes.rows_before[at(from)]); k < roles.size(); ++k) {
+                  read.first_node, nodes.rows_before[at(first)], nodes.rows_before[at(last)]);
+    std::int64_t row = nodes.rows_before[at(from)], node = read.first_node;
+    for (std::size_t k = 0; k < roles.size(); ++k, ++node) {
       if (roles[k] != NodeRole::free) continue;
-      const auto layer = static_cast<std::int64_t>(k) / lattice.layer() + from;
-      if (partition.owns(static_cast<std::int64_t>(row)) && layer >= first && layer < last)
+      if (partition.owns(row) && node >= source.nodes_before(first) && node < source.nodes_before(last))
         scene.initial.push_back(field.graph.initial[k] - origin);
       ++row;
     }
   });
 }
 
-void list_warnings(const LayeredNodes& nodes, const LayerFacts& facts, std::uint64_t limited_necks,
+void list_warnings(const LayeredNodes& nodes, std::uint64_t limited_necks, std::uint64_t adrift,
                    Scene& scene) {
-  Scene one;  // a single sphere says what there is to say about all
-  one.packed.emplace().packing = lattice_layers({{1, 1, 1}, 1, nodes.lattice().diameter}, 0, 1);
-  scene.warnings = range_warnings(one);
-  if (limited_necks > 0) scene.warnings.push_back(limited_necks_warning(limited_necks, at(nodes.edges)));
-  if (facts.fixed == 0 && !facts.radiates && !facts.convects)
-    scene.warnings.push_back(floating_warning(1, scene.fields.front().name));
+  const Packing sample = nodes.source().sample();
+  const auto [smallest, largest] = std::minmax_element(sample.radius.begin(), sample.radius.end());
+  scene.warnings = packing_warnings({.smallest_radius = *smallest,
+                                     .largest_radius = *largest,
+                                     .particles = at(nodes.source().nodes()),
+                                     .contacts = at(nodes.edges),
+                                     .limited_necks = limited_necks});
+  if (adrift > 0) scene.warnings.push_back(floating_warning(adrift, scene.fields.front().name));
 }
 
 void list_skips(const LayerFacts& facts, Scene& scene) {
   if (facts.fixed > 0) scene.skips.push_back(fixed_nodes_skip(facts.fixed, ""));
-  scene.skips.push_back({"another order of the rows", "neighbours in a lattice stand near each other"});
+  scene.skips.push_back(order_skip());
   scene.skips.push_back(electric_skip());
   if (!facts.convects) scene.skips.push_back(convection_skip());
   if (!facts.radiates) scene.skips.push_back(radiation_skip());
 }
 
-/// A field without its nodes, as a single layer describes it.
+/// A field without its nodes.
 FieldScene describe_field(LayeredNodes& nodes, const LayerFacts& facts) {
-  FieldScene field = nodes.reader().read(0, 1, false).field;
+  FieldScene field = nodes.reader().read_sample(false).field;
   field.graph = {};
   field.laws.material.clear();
   field.components = 1;
@@ -123,34 +121,42 @@ FieldScene describe_field(LayeredNodes& nodes, const LayerFacts& facts) {
 
 }  // namespace
 
-bool can_be_layered(const TomlTable& given) {
+std::unique_ptr<LayerSource> layers_of(const TomlTable& given, std::string& why_not) {
   TomlTable root = given;
   auto packing = root.table("packing"), contact = root.table("contact"), thermal = root.table("thermal");
-  if (!packing || !contact || !thermal) return false;
+  const auto is_other = [&](const std::string& what) {
+    if (packing && packing->find("order")) why_not = what;
+    return nullptr;
+  };
+  if (!packing || !contact || !thermal) return is_other("its case has no [thermal]");
   for (const char* other :
        {"electric", "network", "materials", "interfaces", "dynamics", "coupling", "published"})
-    if (root.find(other)) return false;
-  const auto generator = packing->find("generator");
-  if (!generator || generator->string() != "lattice" || packing->find("file")) return false;
-  for (const char* other : {"container", "units", "periodic", "box", "format", "atom_style", "columns"})
-    if (packing->find(other)) return false;
+    if (root.find(other)) return is_other(fmt::format("its case has [{}]", other));
+  for (const char* other : {"container", "periodic", "box"})
+    if (packing->find(other)) return is_other(fmt::format("[packing] has {}", other));
   for (const char* other : {"gap", "bonds", "bond_radius", "file"})
-    if (contact->find(other)) return false;
-  if (thermal->find("initial") && thermal->find("initial")->is_table()) return false;
-  LayerReader reader(root);
-  const Lattice& lattice = reader.lattice();
-  const bool touch = lattice.diameter > lattice.spacing && lattice.diameter < 2 * lattice.spacing;
-  if (!touch) return false;
-  const FieldScene field = reader.read(0, 1, false).field;
-  return field.graph.tables.empty() && !field.laws.of_material.front().varies();
+    if (contact->find(other)) return is_other(fmt::format("[contact] has {}", other));
+  if (thermal->find("initial") && thermal->find("initial")->is_table())
+    return is_other("temperatures begin as a column says");
+  auto source = find_layer_source(*packing, why_not);
+  if (!source) return nullptr;
+  LayerReader reader(root, std::move(source));
+  const FieldScene field = reader.read_sample(false).field;
+  if (!field.graph.tables.empty() || field.laws.of_material.front().varies())
+    return is_other("inputs follow tables of time, or conductivities the temperature");
+  return find_layer_source(*packing, why_not);
 }
 
 Scene build_in_layers(TomlTable root, Communicator& among) {
-  LayerReader reader(std::move(root));
+  std::string why_not;
+  auto packing = root.table("packing");
+  LayerReader reader(root, find_layer_source(*packing, why_not));
   Scene scene;
   static_cast<CaseHead&>(scene) = reader.head();
   scene.layers = std::make_shared<LayeredNodes>(std::move(reader));
   LayeredNodes& nodes = *scene.layers;
+  LayerSource& source = nodes.source();
+  source.share(among);
   const LayerFacts facts = count_layers(nodes, among);
   if (nodes.rows() == 0)
     throw InputError(
@@ -159,14 +165,17 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
   const FieldScene& field = scene.fields.front();
 
   const Partition partition(nodes.rows(), among.size(), among.rank(), block_rows());
-  nodes.begin = node_of_row(nodes, partition.begin());
-  nodes.end = node_of_row(nodes, partition.end());
-  LayerAssembly assembly(partition, most_neighbours(nodes.lattice()));
+  nodes.begin = node_of_row(nodes, partition.begin(), among);
+  nodes.end = node_of_row(nodes, partition.end(), among);
+  const auto [first, last] = nodes.layers_around();
+  source.bring(first, last, among);
+  LayerAssembly assembly(partition, source.usual_contacts());
   scene.initial.reserve(partition.owned());
   OwnLayers own;
+  if (!source.is_one_cluster()) own.clusters.emplace(nodes.begin, nodes.end);
   agreed(among, [&] {
     read_own_layers(partition, field.origin, nodes, assembly, own, scene);
-    if (nodes.begin == nodes.end) (void)nodes.reader().read(0, 1, true);  // its mistakes are everybody's
+    if (nodes.begin == nodes.end) (void)nodes.reader().read_sample(true);  // its mistakes are everybody's
   });
   NetworkPart part = std::move(assembly).finish();
   part.network.origin = field.origin;
@@ -179,11 +188,12 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
       std::make_unique<NetworkRhs>(std::move(part.network), field.name, field.unit, pair_step, keep_network);
 
   const std::uint64_t limited = among.sum(own.limited_necks);
-  agreed(among, [&] {
-    read_layer_probes(nodes, scene);
-    nodes.reader().root().finish();
-  });
-  list_warnings(nodes, facts, limited, scene);
+  read_layer_probes(nodes, scene, among);
+  source.bring(first, last, among);  // files of results are made of them
+  source.release();
+  agreed(among, [&] { nodes.reader().root().finish(); });
+  const bool is_closed = facts.fixed == 0 && !facts.radiates && !facts.convects;
+  list_warnings(nodes, limited, own.clusters ? own.clusters->count_adrift(among) : is_closed ? 1 : 0, scene);
   add_warnings(field.warnings, scene.warnings);
   list_skips(facts, scene);
   return scene;

@@ -1,11 +1,16 @@
 #pragma once
-/// Scenes of which nobody has the whole: every process makes the layers of a lattice that it owns.
+/// Scenes of which nobody has the whole: every process has the layers that it owns, and makes or reads them
+/// itself.
 ///
 /// Nodes are numbered layer by layer, rows are the free nodes in that order, and blocks are consecutive cuts
 /// of it, so that a halo is a layer on either side. The rows of a process come out as they would be cut from
 /// the whole scene.
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "case/layers/layer_reader.hpp"
@@ -20,7 +25,8 @@ class LayeredNodes {
   explicit LayeredNodes(LayerReader reader) : reader_(std::move(reader)) {}
 
   [[nodiscard]] LayerReader& reader() noexcept { return reader_; }
-  [[nodiscard]] const Lattice& lattice() const noexcept { return reader_.lattice(); }
+  [[nodiscard]] LayerSource& source() noexcept { return reader_.source(); }
+  [[nodiscard]] const LayerSource& source() const noexcept { return reader_.source(); }
 
   /// Rows before each layer, and in all [layers + 1].
   std::vector<std::int64_t> rows_before;
@@ -28,8 +34,12 @@ class LayeredNodes {
   std::int64_t edges = 0;           ///< of the whole scene
 
   [[nodiscard]] std::int64_t rows() const noexcept { return rows_before.back(); }
-  [[nodiscard]] std::int64_t layer_of_node(std::int64_t node) const noexcept {
-    return node / lattice().layer();
+  /// Layers that the nodes which are here stand in, and one more on either side: those that their contacts
+  /// reach.
+  [[nodiscard]] std::pair<std::int64_t, std::int64_t> layers_around() const {
+    if (begin == end) return {0, 0};
+    return {std::max<std::int64_t>(0, source().layer_of_node(begin) - 1),
+            std::min(source().layers(), source().layer_of_node(end - 1) + 2)};
   }
 
   /// Calls each(first layer, last layer) for stretches of the layers that the nodes which are here stand in,
@@ -37,8 +47,8 @@ class LayeredNodes {
   template <class Each>
   void for_stretches(const Each& each) const {
     if (begin == end) return;
-    const std::int64_t last = layer_of_node(end - 1) + 1, step = stretch();
-    for (std::int64_t layer = layer_of_node(begin); layer < last; layer += step)
+    const std::int64_t last = source().layer_of_node(end - 1) + 1, step = stretch();
+    for (std::int64_t layer = source().layer_of_node(begin); layer < last; layer += step)
       each(layer, std::min(layer + step, last));
   }
   /// Layers that are read at a time.
@@ -46,17 +56,19 @@ class LayeredNodes {
     // Some 0.8 kB a sphere while they are read, two layers more each time: a small part of all, and not too
     // small.
     constexpr std::int64_t spheres = 1'000'000, part = 48;
-    return std::max<std::int64_t>(1, std::min(lattice().cells[2] / part, spheres / lattice().layer()));
+    const std::int64_t layers = source().layers(),
+                       layer = std::max<std::int64_t>(1, source().nodes() / layers);
+    return std::max<std::int64_t>(1, std::min(layers / part, spheres / layer));
   }
 
  private:
   LayerReader reader_;
 };
 
-/// Whether processes can share a case like that: a lattice whose spheres touch their neighbours, one linear
-/// temperature field of one material, and nothing that follows a table of time. Throws InputError for what is
-/// wrong anyway.
-[[nodiscard]] bool can_be_layered(const TomlTable& root);
+/// Where the layers of a case come from, if processes can share it like that: its packing has layers, their
+/// spheres have one linear temperature field of one material, and nothing follows a table of time. Null
+/// otherwise; `why_not` is set where the case asks for layers. Throws InputError for what is wrong anyway.
+[[nodiscard]] std::unique_ptr<LayerSource> layers_of(const TomlTable& root, std::string& why_not);
 
 /// Collective: every process reads the same case. The scene's right-hand side and its initial state are those
 /// of the rows that are here, its graph holds the probed nodes alone. Throws InputError, on all processes the

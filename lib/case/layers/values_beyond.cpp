@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/index.hpp"
+#include "parallel/all_to_all.hpp"
 
 namespace superstep {
 namespace {
@@ -21,32 +22,28 @@ NodeRange overlap(const NodeRange& a, const NodeRange& b) {
 /// Nodes of each process, everywhere.
 std::vector<NodeRange> ranges_of_all(const LayeredNodes& nodes, Communicator& among) {
   const double own[] = {static_cast<double>(nodes.begin), static_cast<double>(nodes.end)};
-  const auto all = among.gather(own);
-  const auto view = std::as_bytes(std::span(all));
-  std::vector<std::byte> bytes(view.begin(), view.end());
-  among.broadcast(bytes);
-  std::vector<double> ends(bytes.size() / sizeof(double));
-  std::memcpy(ends.data(), bytes.data(), bytes.size());
+  const std::vector<double> ends = everywhere(own, among);
   std::vector<NodeRange> ranges;
   for (std::size_t k = 0; k + 1 < ends.size(); k += 2)
     ranges.push_back({static_cast<std::int64_t>(ends[k]), static_cast<std::int64_t>(ends[k + 1])});
   return ranges;
 }
 
-}  // namespace
-
-std::int64_t reach_of_contacts(const Lattice& lattice) noexcept {
-  return lattice.layer() + lattice.cells[0] + 1;  // that with the next layer, row and column
+/// Behind the nodes that contacts of those before `end` can reach.
+std::int64_t end_of_reach(const LayerSource& source, std::int64_t end) {
+  if (end == 0) return 0;
+  return source.nodes_before(std::min(source.layer_of_node(end - 1) + 2, source.layers()));
 }
+
+}  // namespace
 
 std::vector<double> values_beyond(const LayeredNodes& nodes, std::span<const double> own,
                                   Communicator& among) {
   if (among.alone()) return {};
   const auto ranges = ranges_of_all(nodes, among);
-  const std::int64_t last = nodes.lattice().size(), reach = reach_of_contacts(nodes.lattice());
   const auto wanted_by = [&](int rank) {
     const NodeRange& has = ranges[at(rank)];
-    return has.empty() ? NodeRange{} : NodeRange{has.end, std::min(has.end + reach, last)};
+    return has.empty() ? NodeRange{} : NodeRange{has.end, end_of_reach(nodes.source(), has.end)};
   };
   // Everybody sends to lower ranks first, and the lowest one to nobody: nobody waits for ever.
   const NodeRange here{nodes.begin, nodes.end};

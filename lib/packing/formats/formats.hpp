@@ -57,6 +57,12 @@ struct PackingFormat {
 /// CSV and other tables, with a header or without: takes nearly everything, so that it is asked last.
 [[nodiscard]] PackingFormat table_format();
 
+/// True for the text of a file that `read_packing` would take for a table.
+[[nodiscard]] bool is_table(const std::string& path, std::string_view text, const PackingOptions& options);
+/// What `read_packing` does with the text of a table. Throws InputError.
+[[nodiscard]] Packing read_table(const std::string& path, std::string_view text,
+                                 const PackingOptions& options);
+
 /// Unit of length of a file [m]: what the user, the comments and the reader state must agree. Nobody says
 /// anything = metres. Leaves a note, or a warning about units without dimension, in `packing`. Throws
 /// InputError.

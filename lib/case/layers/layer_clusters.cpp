@@ -1,0 +1,118 @@
+#include "case/layers/layer_clusters.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/index.hpp"
+#include "parallel/all_to_all.hpp"
+
+namespace superstep {
+namespace {
+
+void merge(const ComponentFacts& from, ComponentFacts& into) {
+  if (!into.seen) {
+    into = from;
+    return;
+  }
+  into.uniform = into.uniform && from.uniform && into.value == from.value;
+  into.acted_on = into.acted_on || from.acted_on;
+  into.sourced = into.sourced || from.sourced;
+  into.has_fixed = into.has_fixed || from.has_fixed;
+  into.has_free = into.has_free || from.has_free;
+  into.exchanges = into.exchanges || from.exchanges;
+}
+
+struct Adrift {
+  std::uint64_t moving = 0, idle = 0;
+  bool something_moves = false;
+  void count(const ComponentFacts& facts) {
+    something_moves = something_moves || (facts.has_free && !facts.idle());
+    if (facts.floats() && !facts.exchanges) ++(facts.idle() ? idle : moving);
+  }
+};
+
+}  // namespace
+
+LayerClusters::LayerClusters(std::int64_t begin, std::int64_t end)
+    : begin_(begin), end_(end), sets_(at(end - begin)), facts_(at(end - begin)) {}
+
+void LayerClusters::take(const ReadLayers& read, std::int64_t first, std::int64_t last) {
+  first = std::max(first, begin_);
+  last = std::min(last, end_);
+  const Graph& graph = read.field.graph;
+  const auto own = [&](std::int64_t node) { return node >= first && node < last; };
+  for (std::int64_t node = first; node < last; ++node)
+    facts_[at(node - begin_)].take_node(graph, at(node - read.first_node));
+  for (const auto* exchanges : {&graph.convection, &graph.radiation})
+    for (const auto& exchange : *exchanges)
+      if (const std::int64_t node = exchange.node + read.first_node; own(node))
+        facts_[at(node - begin_)].take_exchange(exchange);
+  for (std::size_t k = 0; k < graph.edges(); ++k) {
+    const std::int64_t a = graph.i[k] + read.first_node, b = graph.j[k] + read.first_node;
+    const std::int64_t i = std::min(a, b), j = std::max(a, b);  // a contact is its first node's
+    if (!own(i) || !(graph.conductance[k] > 0)) continue;
+    if (j < end_)
+      sets_.join(static_cast<std::uint32_t>(i - begin_), static_cast<std::uint32_t>(j - begin_));
+    else
+      beyond_.push_back({root_of(i), j});
+  }
+}
+
+/// Contacts between components of two processes, each named by a node of it.
+std::vector<LayerClusters::Contact> LayerClusters::name_by_roots(Communicator& among) {
+  const double own[] = {static_cast<double>(begin_), static_cast<double>(end_)};
+  const std::vector<double> ranges = everywhere(own, among);
+  const auto owner = [&](std::int64_t node) {
+    std::size_t rank = 0;
+    while (
+        !(static_cast<double>(node) >= ranges[2 * rank] && static_cast<double>(node) < ranges[2 * rank + 1]))
+      ++rank;
+    return rank;
+  };
+  std::vector<std::vector<Contact>> to(at(among.size()));
+  for (const auto& [i, j] : beyond_) to[owner(j)].push_back({root_of(i), j});
+  auto joined = all_to_all<Contact>(to, among);
+  for (auto& contact : joined) contact.j = root_of(contact.j);
+  const auto key = [](const Contact& contact) { return std::pair(contact.i, contact.j); };
+  std::sort(joined.begin(), joined.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  joined.erase(std::unique(joined.begin(), joined.end(),
+                           [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+               joined.end());
+  return joined;
+}
+
+std::uint64_t LayerClusters::count_adrift(Communicator& among) {
+  std::vector<ComponentFacts> facts(facts_.size());
+  for (std::int64_t node = begin_; node < end_; ++node)
+    merge(facts_[at(node - begin_)], facts[at(root_of(node) - begin_)]);
+  const std::vector<Contact> joined = name_by_roots(among);
+  std::vector<char> is_shared(facts.size(), 0);
+  for (const auto& [i, j] : beyond_) is_shared[at(root_of(i) - begin_)] = 1;
+  for (const auto& contact : joined) is_shared[at(contact.j - begin_)] = 1;
+  Adrift adrift;
+  std::vector<std::vector<Cluster>> clusters(at(among.size()));
+  std::vector<std::vector<Contact>> contacts(at(among.size()));
+  for (std::size_t k = 0; k < facts.size(); ++k) {
+    if (!facts[k].seen) continue;  // no root
+    if (is_shared[k])
+      clusters.front().push_back({begin_ + static_cast<std::int64_t>(k), facts[k]});
+    else
+      adrift.count(facts[k]);
+  }
+  contacts.front() = joined;
+  // The root joins the few that several processes share.
+  const auto shared = all_to_all<Cluster>(clusters, among);
+  const auto between = all_to_all<Contact>(contacts, among);
+  std::map<std::int64_t, std::uint32_t> number;
+  for (const auto& cluster : shared) number.emplace(cluster.root, static_cast<std::uint32_t>(number.size()));
+  DisjointSets sets(number.size());
+  for (const auto& [i, j] : between) sets.join(number.at(i), number.at(j));
+  std::vector<ComponentFacts> whole(number.size());
+  for (const auto& cluster : shared) merge(cluster.facts, whole[sets.root(number.at(cluster.root))]);
+  for (const auto& one : whole)
+    if (one.seen) adrift.count(one);
+  const std::uint64_t moving = among.sum(adrift.moving), idle = among.sum(adrift.idle);
+  return moving + (among.any(adrift.something_moves) ? 0 : idle);
+}
+
+}  // namespace superstep

@@ -1,0 +1,37 @@
+#include "parallel/all_to_all.hpp"
+
+#include <utility>
+
+namespace superstep {
+
+std::vector<std::vector<std::byte>> all_to_all(std::vector<std::vector<std::byte>> own, Communicator& among) {
+  std::vector<std::vector<std::byte>> others(own.size());
+  const int here = among.rank();
+  // Pairs of processes meet in one order everywhere, that of their numbers: nobody waits for ever.
+  for (int other = 0; other < among.size(); ++other) {
+    const auto k = static_cast<std::size_t>(other);
+    if (other == here) {
+      others[k] = std::move(own[k]);
+    } else if (other < here) {
+      others[k] = among.receive(other);
+      among.send(other, own[k]);
+    } else {
+      among.send(other, own[k]);
+      others[k] = among.receive(other);
+    }
+    own[k] = {};
+  }
+  return others;
+}
+
+std::vector<double> everywhere(std::span<const double> own, Communicator& among) {
+  const std::vector<double> all = among.gather(own);
+  const auto view = std::as_bytes(std::span(all));
+  std::vector<std::byte> bytes(view.begin(), view.end());
+  among.broadcast(bytes);
+  std::vector<double> out(bytes.size() / sizeof(double));
+  if (!bytes.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
+  return out;
+}
+
+}  // namespace superstep
