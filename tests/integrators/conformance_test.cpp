@@ -167,6 +167,22 @@ TEST_P(EveryIntegrator, StopsWhenAsked) {
   EXPECT_EQ(integrator->advance(100.0).status, Status::interrupted);
 }
 
+/// Who stops it comes too late: what was asked for is there.
+TEST(Stopping, ARunThatHasComeToItsEndIsDone) {
+  Problem problem(random_graph({.nodes = 30, .seed = 43}));
+  const std::atomic<bool> stop = true;
+  const auto first_step = [&](const std::vector<double>& output_times) {
+    Plan plan = problem.plan(output_times);
+    plan.stop = &stop;
+    const auto integrator = make_integrator("forward-euler:step=1e-3");
+    integrator->prepare(*problem.rhs, plan);
+    integrator->start(0, problem.initial);
+    return integrator->advance(output_times.front()).status;
+  };
+  EXPECT_EQ(first_step({1e-3}), Status::ok);
+  EXPECT_EQ(first_step({1e-3, 2e-3}), Status::interrupted);
+}
+
 TEST(Watching, SteppingMethodsTellHowFarTheyHaveCome) {
   for (const char* spec : {"forward-euler", "sts", "rkc", "rkl", "rkg", "rock", "trapezoidal", "cvode"}) {
     Problem problem(random_graph({.nodes = 30, .seed = 43}));

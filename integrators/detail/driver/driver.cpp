@@ -238,7 +238,7 @@ Outcome Driver::look_at(std::span<const double> y) {
 Outcome Driver::may_go_on() {
   constexpr std::uint64_t most_steps = 1'000'000'000'000;
   guard_.agree(*rhs_);
-  if (guard_.stop_requested()) return interrupted_at(t_);
+  if (t_ < task_.t_end && guard_.stop_requested()) return interrupted_at(t_);  // at its end it is done
   if (counted_.steps > most_steps)
     return {
         Status::failed,
