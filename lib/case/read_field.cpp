@@ -119,7 +119,7 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   set_capacities(packing, materials, field, graph);
   set_conductances(input, field, scene);
   const bool thermal = kind.name == thermal_kind().name;
-  read_inputs(table, input, thermal, graph);
+  add_warnings(read_inputs(table, input, thermal, graph), scene.warnings);
   if (thermal && !table.find("initial")) warn_of_cold_start(scene);
   return scene;
 }

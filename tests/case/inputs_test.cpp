@@ -1,5 +1,6 @@
 /// Cases that take what people have: profiles, columns, gaps, bonds, selections, matrices, periodic dumps.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -126,6 +127,28 @@ TEST_F(Inputs, BadProfilesSayWhatIsWrong) {
   expect_refused(with("{ times = [-1e30], values = [1], period = 1.0 }"), "it is nothing beside");
   EXPECT_EQ(load(with("{ file = \"p.csv\" }")).fields[0].graph.tables[0].at(25), 1.5)
       << "two columns need no names";
+}
+
+/// Held values follow nothing: what feeds held particles alone is a mistake that no result shows.
+TEST_F(Inputs, WhatFeedsFixedParticlesAloneIsWarnedOf) {
+  write_row();
+  const auto notes = [&](const std::string& ids) {
+    const auto scene =
+        load(row_case("initial = 300\nfixed = [ { where = { ids = [1, 2] }, value = 300.0 } ]\n"
+                      "source = [ { where = { ids = [" +
+                      ids + "] }, value = 1.0 } ]\nconvection = [ { where = { ids = [" + ids +
+                      "] }, coefficient = 5, ambient = 300 } ]\nradiation = [ { where = { ids = [" + ids +
+                      "] }, emissivity = 0.5, ambient = 300 } ]"));
+    std::string all;
+    for (const auto& warning : scene.warnings) all += warning + "\n";
+    return all;
+  };
+  const std::string held = notes("2, 1"), both = notes("2, 3");
+  for (const char* key : {"source", "convection", "radiation"}) {
+    const std::string place = fmt::format("key 'thermal.{}[0].where' selects fixed particles alone", key);
+    EXPECT_NE(held.find(place), std::string::npos) << held;
+  }
+  EXPECT_EQ(both.find("fixed particles alone"), std::string::npos) << both;
 }
 
 TEST_F(Inputs, TensOfThousandsOfPointsAreNoTrouble) {

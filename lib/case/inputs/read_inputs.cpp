@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "case/inputs/read_amount.hpp"
 #include "case/selection.hpp"
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double stefan_boltzmann = 5.670374419e-8;  // W/(m^2 K^4), CODATA 2018
 constexpr double suspiciously_cold = 100;            // K
+using Notes = std::vector<std::string>;
 
 /// Calls each(particle) for all particles that `where` selects.
 template <class Each>
@@ -19,6 +22,18 @@ void for_selected(const TomlValue& where, const PackingInput& input, Each each) 
   const auto chosen = select_particles(where, input.scene.packing, input.unit, input.selections);
   for (std::size_t k = 0; k < chosen.size(); ++k)
     if (chosen[k]) each(k);
+}
+
+/// The same for what feeds particles. Where all of them are held it does nothing, which `notes` say.
+template <class Each>
+void for_fed(const TomlValue& where, const PackingInput& input, const Graph& graph, Notes& notes, Each each) {
+  bool all_held = true;
+  for_selected(where, input, [&](std::size_t k) {
+    all_held = all_held && graph.is_fixed[k];
+    each(k);
+  });
+  if (all_held)
+    notes.push_back(where.where() + " selects fixed particles alone, which nothing changes: it does nothing");
 }
 
 /// Calls each(entry, where) for every table of a list, which must have no other keys than those asked for.
@@ -50,11 +65,11 @@ void read_fixed(TomlTable& table, const PackingInput& input, Graph& graph) {
   });
 }
 
-void read_sources(TomlTable& table, const PackingInput& input, Graph& graph) {
+void read_sources(TomlTable& table, const PackingInput& input, Graph& graph, Notes& notes) {
   for_entries(table, "source", [&](TomlTable& entry, const TomlValue& where) {
     const Amount amount = read_amount(
         entry.require("value", "it is the source of each selected particle [W or A]"), input.t_end, graph);
-    for_selected(where, input, [&](std::size_t k) {
+    for_fed(where, input, graph, notes, [&](std::size_t k) {
       if (amount.table < 0)
         graph.source[k] += amount.value;
       else
@@ -67,12 +82,12 @@ double surface_area(double radius) noexcept {
   return 4 * std::numbers::pi * radius * radius;
 }
 
-void read_convection(TomlTable& table, const PackingInput& input, Graph& graph) {
+void read_convection(TomlTable& table, const PackingInput& input, Graph& graph, Notes& notes) {
   for_entries(table, "convection", [&](TomlTable& entry, const TomlValue& where) {
     const double coefficient = entry.positive("coefficient", "W/(m2 K)");
     const Amount ambient = read_amount(entry.require("ambient", "it is the temperature of the surroundings"),
                                        input.t_end, graph);
-    for_selected(where, input, [&](std::size_t k) {
+    for_fed(where, input, graph, notes, [&](std::size_t k) {
       graph.convection.push_back({static_cast<std::int32_t>(k),
                                   coefficient * surface_area(input.scene.packing.radius[k]), ambient.value,
                                   ambient.table});
@@ -106,7 +121,7 @@ void require_kelvin_everywhere(const TomlValue& at, const Graph& graph, bool col
   }
 }
 
-void read_radiation(TomlTable& table, const PackingInput& input, Graph& graph) {
+void read_radiation(TomlTable& table, const PackingInput& input, Graph& graph, Notes& notes) {
   for_entries(table, "radiation", [&](TomlTable& entry, const TomlValue& where) {
     const auto emissivity = entry.require("emissivity", "it lies between 0 and 1");
     if (!(emissivity.number() >= 0 && emissivity.number() <= 1))
@@ -115,7 +130,7 @@ void read_radiation(TomlTable& table, const PackingInput& input, Graph& graph) {
     const Amount ambient = read_amount(at, input.t_end, graph);
     const auto kelvin = entry.find("kelvin");
     require_kelvin_everywhere(at, graph, kelvin && kelvin->boolean(), ambient);
-    for_selected(where, input, [&](std::size_t k) {
+    for_fed(where, input, graph, notes, [&](std::size_t k) {
       graph.radiation.push_back(
           {static_cast<std::int32_t>(k),
            emissivity.number() * stefan_boltzmann * surface_area(input.scene.packing.radius[k]),
@@ -126,12 +141,15 @@ void read_radiation(TomlTable& table, const PackingInput& input, Graph& graph) {
 
 }  // namespace
 
-void read_inputs(TomlTable& table, const PackingInput& input, bool thermal, Graph& graph) {
+std::vector<std::string> read_inputs(TomlTable& table, const PackingInput& input, bool thermal,
+                                     Graph& graph) {
+  Notes notes;
   read_fixed(table, input, graph);
-  read_sources(table, input, graph);
-  if (!thermal) return;
-  read_convection(table, input, graph);
-  read_radiation(table, input, graph);
+  read_sources(table, input, graph, notes);
+  if (!thermal) return notes;
+  read_convection(table, input, graph, notes);
+  read_radiation(table, input, graph, notes);
+  return notes;
 }
 
 }  // namespace superstep
