@@ -17,12 +17,10 @@ namespace {
   const bool i_is_inner = packing.radius[i] < packing.radius[j];
   const std::size_t inner = i_is_inner ? i : j, outer = i_is_inner ? j : i;
   throw InputError(fmt::format(
-      "{}particle {} (radius {} m) lies inside particle {} (radius {} m), {} m from its centre; two spheres "
-      "in "
-      "contact must "
-      "both reach out of each other: remove the inner one, or check the length unit and the radii",
-      packing.place.empty() ? "" : packing.place + ": ", packing.id[inner], packing.radius[inner],
-      packing.id[outer], packing.radius[outer], distance));
+      "particle {} (radius {} m) lies inside particle {} (radius {} m), {} m from its centre; two spheres in "
+      "contact must both reach out of each other: remove the inner one, or check the length unit and the "
+      "radii",
+      packing.id[inner], packing.radius[inner], packing.id[outer], packing.radius[outer], distance));
 }
 
 /// Takes a near pair as a contact if it is one.
@@ -40,9 +38,7 @@ void take(const Packing& packing, double gap, const ImagePair& pair, Contacts& c
   contacts.overlap.push_back(overlap);
 }
 
-}  // namespace
-
-Contacts find_contacts(const Packing& packing, double gap, bool own_images) {
+Contacts contacts_of(const Packing& packing, double gap, bool own_images) {
   Contacts contacts;
   if (!packing.cell || !packing.cell->is_periodic()) {
     for (const auto [i, j] : near_pairs(packing.centre, packing.radius, gap))
@@ -56,6 +52,17 @@ Contacts find_contacts(const Packing& packing, double gap, bool own_images) {
     if (contacts.size() > before) contacts.image.push_back(pair.image);
   }
   return contacts;
+}
+
+}  // namespace
+
+Contacts find_contacts(const Packing& packing, double gap, bool own_images) {
+  try {
+    return contacts_of(packing, gap, own_images);
+  } catch (const InputError& error) {
+    if (packing.place.empty()) throw;
+    throw InputError(fmt::format("{}: {}", packing.place, error.what()));
+  }
 }
 
 }  // namespace superstep

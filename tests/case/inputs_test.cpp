@@ -151,6 +151,14 @@ TEST_F(Inputs, WhatFeedsFixedParticlesAloneIsWarnedOf) {
   EXPECT_EQ(both.find("fixed particles alone"), std::string::npos) << both;
 }
 
+TEST_F(Inputs, AFileWhoseSpheresSwallowEachOtherIsNamedOnce) {
+  folder_.write("row.csv", "id,x,y,z,r\n1,0,0,0,1e-3\n2,0,0,1e-4,5e-4\n");
+  const std::string message = refusal(row_case("")), name = "row.csv: ";
+  const auto first = message.find(name);
+  ASSERT_NE(first, std::string::npos) << message;
+  EXPECT_EQ(message.find(name, first + 1), std::string::npos) << message;
+}
+
 TEST_F(Inputs, TensOfThousandsOfPointsAreNoTrouble) {
   write_row();
   std::string text = "t,u\n";

@@ -219,7 +219,8 @@ void read_contacts(TomlTable& table, const std::string& place, PackingScene& sce
         "the radius of such a neck [length_unit]");
   try {
     scene.contacts = find_contacts(scene.packing, gap ? scene.length_unit * gap->number() : 0.0);
-  } catch (const InputError& error) {
+  } catch (const InputError& error) {  // of a file it names that
+    if (!scene.packing.place.empty()) throw;
     throw InputError(fmt::format("{}: {}", place, error.what()));
   }
   scene.neck_report = apply_neck_law(scene.packing, law, parameters, scene.contacts);
