@@ -57,7 +57,8 @@ class Exponential final : public Method {
     if (!exactly_solvable(rhs))
       throw Refused(
           "the exponential needs constant conductances and no radiation; a potential may drive the "
-          "temperature, but not the other way round");
+          "temperature, but not the other way round, and a steady one only where its inputs do not change in "
+          "time");
     const bool coupled = rhs.fields().size() > 1;
     const bool rest = std::exchange(coupled_, coupled) && !coupled;
     choice_.clear();

@@ -274,6 +274,12 @@ void list_term_skips(const FieldScene& field, Scene& scene) {
   if (field.graph.radiation.empty()) scene.skips.push_back(radiation_skip());
 }
 
+const char* why_not_stepped(const FieldScene& steady, const Scene& scene) {
+  if (!scene.moving_potential) return "it is steady and nothing moves it: solved for once";
+  return varies(steady) ? "it is steady: solved for when conductivities have moved"
+                        : "it is steady: solved for once for each of its inputs";
+}
+
 void list_skips(Scene& scene) {
   const FieldScene* electric = find_field(scene, "potential");
   const FieldScene* thermal = find_field(scene, "temperature");
@@ -287,9 +293,7 @@ void list_skips(Scene& scene) {
   }
   for (const auto& field : scene.fields) list_term_skips(field, scene);
   if (electric && electric->steady)
-    scene.skips.push_back({"stepping the potential",
-                           scene.moving_potential ? "it is steady: solved for when conductivities have moved"
-                                                  : "it is steady and nothing moves it: solved for once"});
+    scene.skips.push_back({"stepping the potential", why_not_stepped(*electric, scene)});
 }
 
 }  // namespace

@@ -45,7 +45,9 @@ void list_field_keys(KeyList& keys) {
   keys.in("electric", particles).conductivity("S/m");
   keys.text("mode", "stepped in time, or solved for", {"transient", "steady"}).fallback = "transient";
   keys.number("specific_capacity", positive_number, "F/kg", "transient only");
-  keys.number("settle_tolerance", proper_part, "", "of the span: steadier than this is stepped no more")
+  keys.number(
+          "settle_tolerance", proper_part, "",
+          "of the span: steadier than this is stepped no more, where neither time nor temperature acts on it")
       .fallback = "1e-9";
   keys.number("resolve_change", proper_part, "", "of conductances: steadier than this is not solved anew")
       .fallback = "1e-6";
