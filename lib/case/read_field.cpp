@@ -119,8 +119,9 @@ FieldScene read_field(const FieldKind& kind, TomlTable& table, const PackingInpu
   set_capacities(packing, materials, field, graph);
   set_conductances(input, field, scene);
   const bool thermal = kind.name == thermal_kind().name;
-  add_warnings(read_inputs(table, input, thermal, graph), scene.warnings);
+  const auto about_inputs = read_inputs(table, input, thermal, graph);
   if (thermal && !table.find("initial")) warn_of_cold_start(scene);
+  add_warnings(about_inputs, scene.warnings);
   return scene;
 }
 

@@ -14,10 +14,12 @@ namespace superstep {
 /// Particles and contacts of a case with the unit of its lengths and the conductance law that it names.
 struct PackingInput {
   PackingScene scene;
-  double unit = 1;                     ///< m per case length
-  bool pipe = false;                   ///< conductance law: pipe instead of series
-  double t_end = 0;                    ///< s; how far repeated profiles reach
-  SelectionLog* selections = nullptr;  ///< of a packing that is read part by part; else null
+  double unit = 1;    ///< m per case length
+  bool pipe = false;  ///< conductance law: pipe instead of series
+  double t_end = 0;   ///< s; how far repeated profiles reach
+  // Of a packing that is read part by part; else null.
+  SelectionLog* selections = nullptr;  ///< whether they held anybody
+  SelectionLog* fed = nullptr;         ///< whether what feeds particles feeds one that is free
 };
 
 struct SphereArrays;

@@ -24,16 +24,26 @@ void for_selected(const TomlValue& where, const PackingInput& input, Each each) 
     if (chosen[k]) each(k);
 }
 
+}  // namespace
+
+std::string feeds_nobody(const std::string& place) {
+  return place + " selects fixed particles alone, which nothing changes: it does nothing";
+}
+
+namespace {
+
 /// The same for what feeds particles. Where all of them are held it does nothing, which `notes` say.
 template <class Each>
 void for_fed(const TomlValue& where, const PackingInput& input, const Graph& graph, Notes& notes, Each each) {
-  bool all_held = true;
+  bool feeds_one = false;
   for_selected(where, input, [&](std::size_t k) {
-    all_held = all_held && graph.is_fixed[k];
+    feeds_one = feeds_one || !graph.is_fixed[k];
     each(k);
   });
-  if (all_held)
-    notes.push_back(where.where() + " selects fixed particles alone, which nothing changes: it does nothing");
+  if (input.fed)
+    input.fed->try_emplace(where.where()).first->second |= feeds_one;
+  else if (!feeds_one)
+    notes.push_back(feeds_nobody(where.where()));
 }
 
 /// Calls each(entry, where) for every table of a list, which must have no other keys than those asked for.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "case/layers/agreed.hpp"
 #include "case/selection.hpp"
@@ -35,20 +36,19 @@ void count(const Graph& graph, const LayerSource& source, std::int64_t layer, Co
   counted.convecting += graph.convection.size();
 }
 
-/// A selection that holds nobody anywhere is a mistake. Who looked at no layer has seen no selection; the
-/// others have seen the same ones.
-void require_somebody(const LayerReader& reader, Communicator& among) {
-  const double count = among.max(static_cast<double>(reader.selections().size()));
-  std::vector<std::string> empty;
-  auto next = reader.selections().begin();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    const bool here = next != reader.selections().end();
-    if (!among.any(here && next->second) && here) empty.push_back(next->first);
+/// Places of a log that say no on all processes, everywhere the same. Who looked at no layer has an empty
+/// log; the others have seen the same places.
+std::vector<std::string> never_true(const SelectionLog& log, Communicator& among) {
+  const auto count = static_cast<std::size_t>(among.max(static_cast<double>(log.size())));
+  std::vector<std::string> never;
+  auto next = log.begin();
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool here = next != log.end();
+    const auto place = among.first_of(here ? std::optional(next->first) : std::nullopt);
+    if (!among.any(here && next->second)) never.push_back(*place);
     if (here) ++next;
   }
-  agreed(among, [&] {
-    if (!empty.empty()) throw InputError(fmt::format("{}; {}", empty.front(), selects_nobody));
-  });
+  return never;
 }
 
 }  // namespace
@@ -64,7 +64,8 @@ LayerFacts count_layers(LayeredNodes& nodes, Communicator& among) {
       counted.free.resize(static_cast<std::size_t>(end - first), 0.0);  // layers without spheres
     }
   });
-  require_somebody(nodes.reader(), among);
+  const auto nobody = never_true(nodes.reader().selections(), among);
+  if (!nobody.empty()) throw InputError(fmt::format("{}; {}", nobody.front(), selects_nobody));
   nodes.rows_before.assign(1, 0);
   for (const double free : everywhere(counted.free, among))
     nodes.rows_before.push_back(nodes.rows_before.back() + static_cast<std::int64_t>(free));
@@ -72,7 +73,8 @@ LayerFacts count_layers(LayeredNodes& nodes, Communicator& among) {
           .high = among.max(counted.high),
           .radiates = among.sum(counted.radiating) > 0,
           .convects = among.sum(counted.convecting) > 0,
-          .fixed = source.nodes() - nodes.rows()};
+          .fixed = source.nodes() - nodes.rows(),
+          .feeding_nobody = never_true(nodes.reader().fed(), among)};
 }
 
 std::int64_t node_of_row(LayeredNodes& nodes, std::int64_t row, Communicator& among) {

@@ -8,7 +8,8 @@ namespace superstep {
 struct LayerFacts {
   double low = 0, high = 0;  ///< range of initial and fixed values
   bool radiates = false, convects = false;
-  std::int64_t fixed = 0;  ///< nodes
+  std::int64_t fixed = 0;                   ///< nodes
+  std::vector<std::string> feeding_nobody;  ///< places of the case
 };
 
 /// Counts rows, and finds what the layers have together. Collective. Throws InputError, on all processes the

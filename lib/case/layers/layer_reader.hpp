@@ -32,15 +32,20 @@ class LayerReader {
   /// The source's sample, of which selections say nothing.
   [[nodiscard]] ReadLayers read_sample(bool contacts);
   /// Selections of all that was read, by their place in the case, and whether they held anybody.
-  [[nodiscard]] const SelectionLog& selections() const noexcept { return selections_; }
+  [[nodiscard]] const SelectionLog& selections() const noexcept { return logs_.selections; }
+  /// What feeds particles, and whether it feeds a free one.
+  [[nodiscard]] const SelectionLog& fed() const noexcept { return logs_.fed; }
 
  private:
-  [[nodiscard]] ReadLayers read(Packing packing, bool contacts, SelectionLog& selections);
+  struct Logs {
+    SelectionLog selections, fed;
+  };
+  [[nodiscard]] ReadLayers read(Packing packing, bool contacts, Logs& logs);
 
   TomlTable root_;
   CaseHead head_;
   std::unique_ptr<LayerSource> source_;
-  SelectionLog selections_;
+  Logs logs_;
 };
 
 }  // namespace superstep

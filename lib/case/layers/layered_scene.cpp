@@ -11,6 +11,7 @@
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/skips.hpp"
 #include "case/checks/warnings.hpp"
+#include "case/inputs/read_inputs.hpp"
 #include "case/layers/agreed.hpp"
 #include "case/layers/layer_assembly.hpp"
 #include "case/layers/layer_clusters.hpp"
@@ -195,6 +196,7 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
   const bool is_closed = facts.fixed == 0 && !facts.radiates && !facts.convects;
   list_warnings(nodes, limited, own.clusters ? own.clusters->count_adrift(among) : is_closed ? 1 : 0, scene);
   add_warnings(field.warnings, scene.warnings);
+  for (const auto& place : facts.feeding_nobody) scene.warnings.push_back(feeds_nobody(place));
   list_skips(facts, scene);
   return scene;
 }
