@@ -36,6 +36,10 @@ RunCheck check_run(const Scene& scene, const MethodSpec& spec, const RunResult& 
   const MethodSpec other_method =
       other_family(scene, spec, run).with_tolerance(rounded(std::max(tightest, wanted)));
   check.spec = other_method.text();
+  if (scene.rhs->reduction().total() == 0) {
+    check.outcome = {Status::refused, "nothing is integrated, so that there is nothing to compare"};
+    return check;
+  }
   if (rtol > 0 && tightest > worth_comparing * rtol) {
     check.outcome = {Status::refused,
                      fmt::format("nothing here is known to be more accurate than {:g}", rtol)};

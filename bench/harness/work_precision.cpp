@@ -72,7 +72,7 @@ class Sweep {
     study_.reference = reference_.spec;
     study_.reference_error = reference_.error_bar[field];
     study_.span = reference_.spans[field];
-    if (!(study_.span > 0))
+    if (scene_.rhs->reduction().total() == 0 || !(study_.span > 0))
       throw NumericalError(
           fmt::format("nothing moves in the {} of {}: there is no error to measure work against", field_.name,
                       scene_.file));

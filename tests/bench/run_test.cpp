@@ -5,6 +5,7 @@
 
 #include "bench/app/loaded_case.hpp"
 #include "bench/harness/run_check.hpp"
+#include "bench/harness/work_precision.hpp"
 #include "bench/measure/run_one.hpp"
 #include "bench/output/run_files.hpp"
 #include "core/error.hpp"
@@ -84,6 +85,37 @@ TEST_F(RodRun, IsCheckedOnlyByWhatIsMoreAccurate) {
     EXPECT_EQ(check.outcome.ok(), checked) << spec << ": " << check.outcome.reason;
     EXPECT_EQ(check.delivered.empty(), !checked) << spec;
   }
+}
+
+/// A steady potential alone is solved for as the case is read: no method has anything to do.
+TEST(SteadyPotentialAlone, HasNoRunToCheckAndNoErrorToMeasureWorkAgainst) {
+  const CaseFolder folder;
+  folder.write("row.csv", "id,x,y,z,r\n1,0,0,0,1e-3\n2,0,0,1.9e-3,1e-3\n3,0,0,3.8e-3,1e-3\n");
+  const auto load = [&] {
+    return load_scene(folder.write("case.toml",
+                                   "t_end = 1.0\n[packing]\nfile = \"row.csv\"\n[contact]\nneck = "
+                                   "\"hertz\"\n[material]\ndensity = 5000\n"
+                                   "[electric]\nmode = \"steady\"\nconductivity = 1e5\nfixed = [ { where = { "
+                                   "ids = [1] }, value = 1.0 }, "
+                                   "{ where = { ids = [3] }, value = 0.0 } ]\n"));
+  };
+  const Scene scene = load();
+  const std::atomic<bool> stop{false};
+  Progress silent(false);
+  std::vector<std::vector<double>> states;
+  RunRequest request;
+  request.observe = [&](std::size_t, double, std::span<const double> state) {
+    states.emplace_back(state.begin(), state.end());
+  };
+  const RunResult result = run_one(scene, "rkc", request);
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  const RunCheck check = check_run(scene, "rkc", result, states, stop, silent, {});
+  EXPECT_EQ(check.outcome.status, Status::refused);
+  EXPECT_TRUE(judge_check(scene, check).ok());
+  WorkPrecisionOptions options;
+  options.use_cache = false;
+  options.integrators = {"rkc"};
+  EXPECT_THROW((void)work_precision(load(), options, silent), NumericalError);
 }
 
 TEST_F(RodRun, FailureIsAnOutcome) {
