@@ -81,7 +81,7 @@ Outcome judge_check(const Scene& scene, const RunCheck& check) {
 }
 
 void add_check(const RunCheck& check, RunRecord& record) {
-  record.verified_by = check.spec;
+  if (check.outcome.status != Status::refused) record.verified_by = check.spec;
   record.cpu_verify = check.cpu_seconds;
   if (!check.outcome.ok()) return;
   for (const auto& delivered : check.delivered)

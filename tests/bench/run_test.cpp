@@ -84,6 +84,9 @@ TEST_F(RodRun, IsCheckedOnlyByWhatIsMoreAccurate) {
     const RunCheck check = check_run(scene_, spec, result, states, stop, silent, {});
     EXPECT_EQ(check.outcome.ok(), checked) << spec << ": " << check.outcome.reason;
     EXPECT_EQ(check.delivered.empty(), !checked) << spec;
+    RunRecord record;
+    add_check(check, record);
+    EXPECT_EQ(record.verified_by.empty(), !checked) << spec << ": a method that was not run";
   }
 }
 
