@@ -201,9 +201,10 @@ void solve_once(FieldScene& electric, Scene& scene) {
 
 void build_pair(const std::string& where, const Coupling& coupling, FieldScene& electric, FieldScene& thermal,
                 Scene& scene) {
-  auto live = apply_roles(
-      electric.steady ? assign_steady_roles(electric.graph, where) : assign_roles(electric.graph, where),
-      electric);
+  auto live =
+      apply_roles(electric.steady ? assign_steady_roles(electric.graph, where)
+                                  : assign_roles(electric.graph, where + ": [electric] mode = \"transient\""),
+                  electric);
   if (!coupling.joule_heat) live.assign(live.size(), 0);
   set_range(scene.t_end, electric);
   if (electric.steady && !varies(electric) && electric.graph.tables.empty()) {
@@ -212,7 +213,7 @@ void build_pair(const std::string& where, const Coupling& coupling, FieldScene& 
     build_single(where, thermal, scene);
     return;
   }
-  apply_roles(assign_roles(thermal.graph, where, live), thermal);
+  apply_roles(assign_roles(thermal.graph, where + ": [thermal]", live), thermal);
   set_range(scene.t_end, thermal);
   if (!varies(electric) && !varies(thermal)) set_origin(thermal);
   NonlinearInput input;
