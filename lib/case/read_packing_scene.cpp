@@ -183,9 +183,12 @@ PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
   PackingInput input;
   const PackingOptions options = read_packing_options(*packing);
   const auto file = packing->find("file"), generator = packing->find("generator");
-  if (spheres)
+  if (spheres) {
     for (const auto* other : {&file, &generator})
       if (*other) (*other)->reject("the particles are in memory already; leave this key out");
+    if (const auto order = packing->find("order"))
+      order->reject("particles in memory keep their order; leave this key out");
+  }
   if (!file && !generator && !spheres)
     packing->missing("file", "give either 'file' or 'generator', one of them");
   if (file && generator)

@@ -67,6 +67,9 @@ TEST(Memory, WrongSpheresAreRefusedByNameAndPosition) {
   EXPECT_NE(refusal("t_end = 1\npacking = {file = \"a.csv\"}\nthermal = {}\n", ThreeSpheres{}.data())
                 .find("in memory already"),
             std::string::npos);
+  EXPECT_NE(refusal("t_end = 1\npacking = {order = \"layers\"}\nthermal = {}\n", ThreeSpheres{}.data())
+                .find("keep their order"),
+            std::string::npos);
 }
 
 struct ThreeNodes {

@@ -6,6 +6,7 @@
 Skipped (77) where there is no mpirun or the program was built without MPI.
 """
 
+import csv
 import gzip
 import hashlib
 import json
@@ -200,6 +201,17 @@ def check_parts_of_files(runner):
         runner.compared += 1
         if plain[spec][:2] != packed[spec][:2]:
             runner.faults.append(f"a packed bed, {spec}: another result")
+    # In another order of rows the temperatures are the same ones, to what the tolerance allows of 100 K.
+    with open(f"{runner.folder}/other_bed.toml", "w") as file:
+        file.write(case.replace('"layers"', '"bandwidth"'))
+    values = []
+    for scene in ("bed", "other_bed"):
+        runner.call(1, ["run", f"{scene}.toml", "--integrator", "exponential:rtol=1e-9", "--out", f"{runner.folder}/{scene}"])
+        with open(f"{runner.folder}/{scene}/final.csv") as file:
+            values.append({row["id"]: float(row["temperature"]) for row in csv.DictReader(file)})
+    runner.compared += 1
+    if values[0].keys() != values[1].keys() or any(abs(values[0][k] - values[1][k]) > 1e-6 for k in values[0]):
+        runner.faults.append("the bed in two orders: two results")
 
 
 def check_counters(runner):

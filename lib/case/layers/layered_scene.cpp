@@ -126,7 +126,8 @@ std::unique_ptr<LayerSource> layers_of(const TomlTable& given, std::string& why_
   TomlTable root = given;
   auto packing = root.table("packing"), contact = root.table("contact"), thermal = root.table("thermal");
   const auto is_other = [&](const std::string& what) {
-    if (packing && packing->find("order")) why_not = what;
+    const auto order = packing ? packing->find("order") : std::nullopt;
+    if (order && order->string() == "layers") why_not = what;
     return nullptr;
   };
   if (!packing || !contact || !thermal) return is_other("its case has no [thermal]");
