@@ -175,7 +175,7 @@ def check_parts_of_files(runner):
     wrong_cases = {
         "another id": case.replace("5807", "5808"), "another probe": case.replace("2013", "2014"),
         "nobody there": case.replace('where = "-y"', "where = { box = { min = [50, 50, 50], max = [60, 60, 60] } }"),
-        "a word": case.replace('"layers"', '"layer"'), "a key": case.replace("initial", "intial"),
+        "a word": case.replace('"layers"', '"layer"'), "a key": case.replace("initial", "intial"), "a table": case.replace("[contact]", "[contakt]\\n[contact]"),
         "all fixed": case.replace('where = "-y"', 'where = "all"')}
     texts = [(name, text, case) for name, text in wrong_rows.items()] + [(name, rows, text) for name, text in wrong_cases.items()]
     for name, table, text in texts:

@@ -7,6 +7,7 @@
 
 #include "bench/host/terminal.hpp"
 #include "bench/measure/shared/worker.hpp"
+#include "case/case.hpp"
 #include "case/layers/layered_scene.hpp"
 #include "core/error.hpp"
 #include "core/text/text_file.hpp"
@@ -21,7 +22,7 @@ namespace {
 [[noreturn]] void say_as_of_the_whole(const InputError& error, const std::string& text,
                                       const std::string& file) {
   try {
-    (void)load_scene(TomlTable::parse_text(text, file));
+    (void)load_case(TomlTable::parse_text(text, file));
   } catch (const InputError&) {
     throw;
   } catch (const std::exception&) {  // the part's own words will do
