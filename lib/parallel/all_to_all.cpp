@@ -19,7 +19,7 @@ std::vector<std::vector<std::byte>> all_to_all(std::vector<std::vector<std::byte
       among.send(other, own[k]);
       others[k] = among.receive(other);
     }
-    own[k] = {};
+    std::vector<std::byte>().swap(own[k]);
   }
   return others;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "parallel/communicator.hpp"
@@ -15,19 +16,25 @@ namespace superstep {
 [[nodiscard]] std::vector<std::vector<std::byte>> all_to_all(std::vector<std::vector<std::byte>> own,
                                                              Communicator& among);
 
-/// The same of plain values: all that came, in the order of ranks.
+/// The same of plain values: all that came, in the order of ranks. What was handed out is given back as it
+/// goes.
 template <Plain Value>
-[[nodiscard]] std::vector<Value> all_to_all(std::span<const std::vector<Value>> own, Communicator& among) {
+[[nodiscard]] std::vector<Value> all_to_all(std::vector<std::vector<Value>> own, Communicator& among) {
   std::vector<std::vector<std::byte>> bytes;
-  for (const auto& values : own) {
+  for (auto& values : own) {
     const auto view = std::as_bytes(std::span(values));
     bytes.emplace_back(view.begin(), view.end());
+    std::vector<Value>().swap(values);
   }
-  std::vector<Value> all;
-  for (const auto& part : all_to_all(std::move(bytes), among)) {
-    const std::size_t before = all.size();
-    all.resize(before + part.size() / sizeof(Value));
-    if (!part.empty()) std::memcpy(all.data() + before, part.data(), part.size());
+  bytes = all_to_all(std::move(bytes), among);
+  std::size_t size = 0;
+  for (const auto& part : bytes) size += part.size() / sizeof(Value);
+  std::vector<Value> all(size);
+  std::size_t begin = 0;
+  for (auto& part : bytes) {
+    if (!part.empty()) std::memcpy(all.data() + begin, part.data(), part.size());
+    begin += part.size() / sizeof(Value);
+    std::vector<std::byte>().swap(part);
   }
   return all;
 }

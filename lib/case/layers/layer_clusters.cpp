@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/index.hpp"
 #include "parallel/all_to_all.hpp"
@@ -71,7 +72,7 @@ std::vector<LayerClusters::Contact> LayerClusters::name_by_roots(Communicator& a
   };
   std::vector<std::vector<Contact>> to(at(among.size()));
   for (const auto& [i, j] : beyond_) to[owner(j)].push_back({root_of(i), j});
-  auto joined = all_to_all<Contact>(to, among);
+  auto joined = all_to_all(std::move(to), among);
   for (auto& contact : joined) contact.j = root_of(contact.j);
   const auto key = [](const Contact& contact) { return std::pair(contact.i, contact.j); };
   std::sort(joined.begin(), joined.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -101,8 +102,8 @@ std::uint64_t LayerClusters::count_adrift(Communicator& among) {
   }
   contacts.front() = joined;
   // The root joins the few that several processes share.
-  const auto shared = all_to_all<Cluster>(clusters, among);
-  const auto between = all_to_all<Contact>(contacts, among);
+  const auto shared = all_to_all(std::move(clusters), among);
+  const auto between = all_to_all(std::move(contacts), among);
   std::map<std::int64_t, std::uint32_t> number;
   for (const auto& cluster : shared) number.emplace(cluster.root, static_cast<std::uint32_t>(number.size()));
   DisjointSets sets(number.size());

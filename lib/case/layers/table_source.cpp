@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -155,7 +156,7 @@ void TableSource::require_unique_ids(const std::vector<Sphere>& spheres, Communi
   std::vector<std::vector<std::int64_t>> to(processes);
   for (const auto& sphere : spheres)
     to[static_cast<std::uint64_t>(sphere.id) % processes].push_back(sphere.id);
-  auto ids = all_to_all<std::int64_t>(to, among);
+  auto ids = all_to_all(std::move(to), among);
   std::sort(ids.begin(), ids.end());
   const auto twice = std::adjacent_find(ids.begin(), ids.end());
   agreed(among, [&] {
@@ -193,9 +194,9 @@ void TableSource::share(Communicator& among) {
     const auto behind = std::upper_bound(begin_of_share.begin(), begin_of_share.end(), layer);
     to[at(behind - begin_of_share.begin() - 1)].push_back(sphere);
   }
-  spheres = {};
+  std::vector<Sphere>().swap(spheres);
   std::tie(read_.first, read_.last) = first_share(among);
-  read_.spheres = all_to_all<Sphere>(to, among);
+  read_.spheres = all_to_all(std::move(to), among);
   const auto place = [&](const Sphere& sphere) { return grid_.place_of(sphere.centre, sphere.id); };
   std::sort(read_.spheres.begin(), read_.spheres.end(),
             [&](const Sphere& a, const Sphere& b) { return place(a) < place(b); });
@@ -213,7 +214,7 @@ void TableSource::bring(std::int64_t first, std::int64_t last, Communicator& amo
     const auto begin = read_.spheres.begin() - before_[at(read_.first)];
     to[rank].assign(begin + before_[at(from)], begin + before_[at(end)]);
   }
-  brought_ = {first, last, all_to_all<Sphere>(to, among)};
+  brought_ = {first, last, all_to_all(std::move(to), among)};
 }
 
 void TableSource::describe(Packing& packing) const {
