@@ -70,8 +70,9 @@ TEST(InsideALaw, AJumpIsPassedByArkode) {
       "case.toml",
       "t_end = 3000.0\n[packing]\nfile = \"pair.csv\"\nlength_unit = \"mm\"\n[material]\ndensity = 2500.0\n"
       "[contact]\nneck = \"hertz\"\n[thermal]\nspecific_heat = 500.0\ninitial = 300.0\n"
-      "conductivity = { law = \"table\", temperatures = [300.0, 415.6, 415.6005, 600.0],\n"
-      "  values = [0.05, 0.05, 4e6, 4e6] }\n"
+      "conductivity = { law = \"table\", temperatures = [300.0, 415.6, 415.6005, 600.0], values = [0.05, "
+      "0.05, "
+      "4e6, 4e6] }\n"
       "fixed = [ { where = { ids = [0] }, value = 530.0 } ]\n"));
   const RunResult run = run_one(scene, "arkode:rtol=1e-7", {});
   EXPECT_TRUE(run.outcome.ok()) << run.outcome.reason;
