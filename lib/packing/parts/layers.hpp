@@ -3,8 +3,8 @@
 /// neighbouring ones, so that processes can share them, and each row finds its neighbours near by.
 
 #include <array>
-#include <compare>
 #include <cstdint>
+#include <tuple>
 
 #include "packing/packing.hpp"
 
@@ -14,7 +14,9 @@ namespace superstep {
 struct LayerPlace {
   std::int64_t layer = 0, second = 0, third = 0;
   std::int64_t id = 0;  ///< of those in one place the lower one first
-  auto operator<=>(const LayerPlace&) const = default;
+  [[nodiscard]] bool operator<(const LayerPlace& other) const noexcept {
+    return std::tie(layer, second, third, id) < std::tie(other.layer, other.second, other.third, other.id);
+  }
 };
 
 class PackingLayers {
