@@ -53,22 +53,22 @@ class LayeredNodes {
   }
   /// Layers that are read at a time.
   [[nodiscard]] std::int64_t stretch() const noexcept {
-    // Some 0.8 kB a sphere while they are read, two layers more each time: a small part of all, and not too
-    // small.
-    constexpr std::int64_t spheres = 1'000'000, part = 48;
+    // Some 0.8 kB a sphere while they are read, two layers more each time: a small part of all, and not so
+    // small that most of the work would be these two.
+    constexpr std::int64_t spheres = 1'000'000, part = 48, fewest = 4;
     const std::int64_t layers = source().layers(),
                        layer = std::max<std::int64_t>(1, source().nodes() / layers);
-    return std::max<std::int64_t>(1, std::min(layers / part, spheres / layer));
+    return std::max<std::int64_t>(1, std::min(std::max(layers / part, fewest), spheres / layer));
   }
 
  private:
   LayerReader reader_;
 };
 
-/// Where the layers of a case come from, if processes can share it like that: its packing has layers, their
-/// spheres have one linear temperature field of one material, and nothing follows a table of time. Null
-/// otherwise; `why_not` is set where the case asks for layers. Throws InputError for what is wrong anyway.
-[[nodiscard]] std::unique_ptr<LayerSource> layers_of(const TomlTable& root, std::string& why_not);
+/// Whether processes can share a case like that: its packing has layers, their spheres have one linear
+/// temperature field of one material, and nothing follows a table of time. `why_not` is set where the case
+/// asks for layers and cannot have them. Throws InputError for what is wrong anyway.
+[[nodiscard]] bool can_be_layered(const TomlTable& root, std::string& why_not);
 
 /// Collective: every process reads the same case. The scene's right-hand side and its initial state are those
 /// of the rows that are here, its graph holds the probed nodes alone. Throws InputError, on all processes the
