@@ -45,6 +45,8 @@ METHODS = {
     "lattice_varying": (SOME, DIRECT),  # one process reads it for all
     "bed": (SOME + ["sts:n=10,nu=1e-3", "exponential:rtol=1e-5", "cvode:linsol=pcg,rtol=1e-3"], []),
     "bed_radiating": (SOME, []),
+    "bed_driven": (SOME, []),
+    "bed_kappa": (SOME, []),
     "hub": (EXPLICIT + EXPONENTIAL + ITERATIVE, DIRECT),
 }
 COUNTS = ["steps", "rejected", "rhs", "jacobians", "factorizations", "solves", "max_stages"]
@@ -171,6 +173,7 @@ def check_parts_of_files(runner):
         "an id": rows + f"{first.split('; ')[0]}; 90; 90; 90; 1; 1\n", "a centre": rows + f"99999; {x}; {y}; {z}; 1; 1\n",
         "a row": rows + "1; 2; 3\n", "a large one": rows + f"99999; {x}; {y}; {z}1; 30; 1\n",
         "nobody": "".join(rows.splitlines(keepends=True)[:3]), "no number": rows.replace(x, "nan"),
+        "a header": rows.replace("diameter", "size"), "half a header": rows.replace("id; x; y; z", "id; x; y"),
         "a gap": rows.replace(f"; {z}; ", "; ; "), "a far one": rows + "99999; 1e300; 0; 0; 1; 1\n"}
     wrong_cases = {
         "another id": case.replace("5807", "5808"), "another probe": case.replace("2013", "2014"),

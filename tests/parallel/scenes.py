@@ -72,11 +72,6 @@ density = 7800.0
 
 [contact]
 neck = "hertz"
-
-[thermal]
-conductivity = 50.0
-specific_heat = 500.0
-initial = {initial}
 """
 
 
@@ -198,13 +193,17 @@ def scenes():
         "lattice_varying": LATTICE.format(t_end=4.0, early=1.0, cells=[6, 5, 40], diameter=1.02) +
                            THERMAL.format(conductivity=LINE, initial=300.0) +
                            'fixed = [ { where = "top", value = 400.0 }, { where = "bottom", value = 300.0 } ]\n',
-        "bed": BED.format(t_end=4.0, initial=300.0) +
+        "bed": BED.format(t_end=4.0) + cold +
                'fixed = [ { where = "-y", value = 400.0 },\n'
                f'          {{ where = {{ ids = {[7 * k - 500 for k in range(900, 960)]} }}, value = 350.0 }} ]\n'
                'source = [ { where = { layer = { side = "+x", thickness = 0.9 } }, value = 0.02 } ]\n',
-        "bed_radiating": BED.format(t_end=8.0, initial=1200.0) +
+        "bed_radiating": BED.format(t_end=8.0) + THERMAL.format(conductivity=50.0, initial=1200.0) +
                          'convection = [ { where = "top", coefficient = 200.0, ambient = 300.0 } ]\n'
                          'radiation = [ { where = "+y", emissivity = 0.8, ambient = 500.0 } ]\n',
+        # Its tables of time and its law are read by the root for all.
+        "bed_driven": BED.format(t_end=4.0) + cold + f'fixed = [ {{ where = "-y", value = {RAMP} }} ]\n',
+        "bed_kappa": BED.format(t_end=4.0) + THERMAL.format(conductivity=LINE, initial=300.0) +
+                     'fixed = [ { where = "-y", value = 400.0 } ]\n',
         "hub": 't_end = 3.0\noutput_times = [1.0, 3.0]\nprobe = [444, 899]\n'
                '[network]\nnodes = "nodes.csv"\nedges = "edges.csv"\n',
         "ring": 't_end = 100.0\nprobe = [5]\n[network]\nnodes = "ring_nodes.csv"\nedges = "ring_edges.csv"\n',

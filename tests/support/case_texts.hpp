@@ -13,17 +13,18 @@
 
 namespace superstep::test {
 
-/// Of the first field on all nodes, by a tight run.
-inline std::vector<double> values_at_end(const Scene& scene) {
+/// Of a field on all nodes, by a tight run.
+inline std::vector<double> values_at_end(const Scene& scene, std::size_t field = 0) {
   Plan plan;
   plan.output_times = {scene.t_end};
-  plan.ranges = {scene.fields[0].range_of_state()};
+  for (const auto& one : scene.fields)
+    if (!one.steady) plan.ranges.push_back(one.range_of_state());
   const auto integrator = make_integrator("cvode:rtol=1e-9");
   integrator->prepare(*scene.rhs, plan);
   integrator->start(0, scene.initial);
   const Outcome outcome = integrator->advance(scene.t_end);
   EXPECT_TRUE(outcome.ok()) << outcome.reason;
-  return scene.values_on_nodes(0, scene.t_end, integrator->state());
+  return scene.values_on_nodes(field, scene.t_end, integrator->state());
 }
 
 class CaseTexts : public testing::Test {
