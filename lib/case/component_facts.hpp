@@ -29,6 +29,25 @@ struct ComponentFacts {
     sourced = sourced || (!fixed && graph.source[node] != 0);
     (fixed ? has_fixed : has_free) = true;
   }
+  /// What is known of another part of the component.
+  void take(const ComponentFacts& part) noexcept {
+    if (!part.seen) return;
+    if (!seen) {
+      *this = part;
+      return;
+    }
+    const bool others_fixed = has_fixed && part.has_fixed;
+    follows_table = follows_table || part.follows_table;
+    fixed_differ = fixed_differ || part.fixed_differ ||
+                   (others_fixed && (follows_table || fixed_value != part.fixed_value));
+    if (part.has_fixed) fixed_value = part.fixed_value;
+    uniform = uniform && part.uniform && value == part.value;
+    acted_on = acted_on || part.acted_on;
+    sourced = sourced || part.sourced;
+    has_fixed = has_fixed || part.has_fixed;
+    has_free = has_free || part.has_free;
+    exchanges = exchanges || part.exchanges;
+  }
   /// An exchange of one of its nodes with an ambient, after all nodes were taken.
   template <class Ambient>
   void take_exchange(const Ambient& exchange) {

@@ -13,7 +13,6 @@
 #include "packing/generate.hpp"
 #include "packing/grid.hpp"
 #include "packing/pack_checks.hpp"
-#include "packing/parts/layers.hpp"
 #include "packing/read.hpp"
 
 namespace superstep {
@@ -60,15 +59,6 @@ SizeDistribution read_sizes(TomlTable table, double unit) {
 }
 
 namespace {
-
-/// Whether rows stand in layers of the packing instead of an order that is looked for.
-bool wants_layers(TomlTable& packing) {
-  const auto order = packing.find("order");
-  if (!order) return false;
-  const std::string word = order->string();
-  if (word != "layers" && word != "bandwidth") order->reject("it must be \"bandwidth\" or \"layers\"");
-  return word == "layers";
-}
 
 std::int64_t non_negative(TomlTable& table, const std::string& key, std::int64_t fallback) {
   const auto value = table.find(key);
@@ -203,7 +193,6 @@ PackingInput read_packing_scene(TomlTable& root, const SphereArrays* spheres) {
       : file  ? read_named_file(*file, [&](const auto& path) { return read_packing(path, options); })
               : read_generator(*packing, *generator, input.unit);
   if (file) input.unit = input.scene.packing.length_unit;
-  if (wants_layers(*packing)) stand_in_layers(input.scene.packing);
   input.scene.length_unit = input.unit;
   if (auto container = packing->table("container"))
     input.scene.container = read_container(*container, input.unit);

@@ -21,11 +21,7 @@ Bounds surface_bounds(const Packing& packing) {
     return packing.centre[k] + Vec3{r, r, r};
   };
   Bounds box{corner(0, -1.0), corner(0, 1.0)};
-  for (std::size_t k = 1; k < packing.size(); ++k) {
-    const Vec3 low = corner(k, -1.0), high = corner(k, 1.0);
-    box.min = {std::min(box.min.x, low.x), std::min(box.min.y, low.y), std::min(box.min.z, low.z)};
-    box.max = {std::max(box.max.x, high.x), std::max(box.max.y, high.y), std::max(box.max.z, high.z)};
-  }
+  for (std::size_t k = 1; k < packing.size(); ++k) box.take(corner(k, -1.0), corner(k, 1.0));
   return box;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// A packing of spheres: what every network is built from.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,11 @@ struct PackingAttribute {
 /// Axis-aligned box around points or spheres [m].
 struct Bounds {
   Vec3 min, max;
+  /// Takes in a box between two corners.
+  void take(Vec3 low, Vec3 high) noexcept {
+    min = {std::min(min.x, low.x), std::min(min.y, low.y), std::min(min.z, low.z)};
+    max = {std::max(max.x, high.x), std::max(max.y, high.y), std::max(max.z, high.z)};
+  }
 };
 
 /// What a packing is a part of, where others have the rest.

@@ -15,6 +15,7 @@
 #include "packing/formats/formats.hpp"
 #include "packing/formats/inside_cell.hpp"
 #include "packing/formats/stated.hpp"
+#include "packing/parts/layers.hpp"
 
 namespace superstep {
 namespace {
@@ -174,6 +175,7 @@ Packing read_packing(const std::string& path, const PackingOptions& options) {
       format.ends_lines && file.is_text && !unfinished.empty())
     packing.warnings.push_back(std::move(unfinished));
   apply_box(options, path, packing);
+  if (options.in_layers) stand_in_layers(packing);
   return packing;
 }
 

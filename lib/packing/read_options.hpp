@@ -20,6 +20,7 @@ struct PackingOptions {
   std::vector<std::string>
       columns;              ///< names of the columns, for files that do not name them; empty = as they do
   std::optional<Cell> box;  ///< in lengths of the file; where it states none
+  bool in_layers = false;   ///< particles in the order of parts/layers.hpp, not in that of the file
 };
 
 }  // namespace superstep

@@ -34,4 +34,13 @@ std::vector<double> everywhere(std::span<const double> own, Communicator& among)
   return out;
 }
 
+std::vector<IndexRange> everywhere(IndexRange own, Communicator& among) {
+  const double ends[] = {static_cast<double>(own.begin), static_cast<double>(own.end)};
+  const std::vector<double> all = everywhere(ends, among);
+  std::vector<IndexRange> ranges;
+  for (std::size_t k = 0; k + 1 < all.size(); k += 2)
+    ranges.push_back({static_cast<std::int64_t>(all[k]), static_cast<std::int64_t>(all[k + 1])});
+  return ranges;
+}
+
 }  // namespace superstep

@@ -1,7 +1,9 @@
 #pragma once
 /// Every process has something for every other one.
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -41,5 +43,20 @@ template <Plain Value>
 
 /// Collective: everybody's values one behind the other, everywhere.
 [[nodiscard]] std::vector<double> everywhere(std::span<const double> own, Communicator& among);
+
+/// Consecutive nodes or layers.
+struct IndexRange {
+  std::int64_t begin = 0, end = 0;
+  [[nodiscard]] bool empty() const noexcept { return begin >= end; }
+  [[nodiscard]] std::size_t size() const noexcept {
+    return empty() ? 0 : static_cast<std::size_t>(end - begin);
+  }
+  [[nodiscard]] bool holds(std::int64_t k) const noexcept { return k >= begin && k < end; }
+  [[nodiscard]] IndexRange overlap(const IndexRange& other) const noexcept {
+    return {std::max(begin, other.begin), std::min(end, other.end)};
+  }
+};
+/// Collective: that of each process, everywhere.
+[[nodiscard]] std::vector<IndexRange> everywhere(IndexRange own, Communicator& among);
 
 }  // namespace superstep

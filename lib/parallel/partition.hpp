@@ -20,6 +20,14 @@ void set_block_rows(std::size_t rows) noexcept;
 /// Terms that are added up as they come before they enter an exact sum; blocks hold whole chunks.
 [[nodiscard]] std::size_t chunk_rows() noexcept;
 
+/// Where the share of a process begins, of `whole` things that are handed out evenly; of the one behind the
+/// last: `whole`.
+template <class Integer>
+[[nodiscard]] constexpr Integer begin_of_share(Integer whole, int process, int processes) noexcept {
+  const auto rank = static_cast<Integer>(process), all = static_cast<Integer>(processes);
+  return whole / all * rank + whole % all * rank / all;
+}
+
 class Partition {
  public:
   Partition() = default;

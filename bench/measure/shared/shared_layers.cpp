@@ -14,10 +14,9 @@
 #include "rhs/network_rhs.hpp"
 
 namespace superstep {
-
 namespace {
 
-/// A mistake that a process found in its part of a file: the file as a whole says where, as far as memory
+/// A mistake that somebody found in his part of a case: the case as a whole says where, as far as memory
 /// goes.
 [[noreturn]] void say_as_of_the_whole(const InputError& error, const std::string& text,
                                       const std::string& file) {
@@ -36,8 +35,13 @@ std::optional<Scene> share_layers(const std::string& file, bool quiet) {
   if (world().alone()) return std::nullopt;
   const std::string text = read_text_file(file);
   std::string why_not;
-  const auto source = layers_of(TomlTable::parse_text(text, file), why_not);
-  if (!source) {
+  bool in_layers = false;
+  try {
+    in_layers = can_be_layered(TomlTable::parse_text(text, file), why_not);
+  } catch (const InputError& error) {
+    say_as_of_the_whole(error, text, file);
+  }
+  if (!in_layers) {
     if (!why_not.empty() && !quiet)
       note("",
            fmt::format("{}: process 1 of {} reads the packing for all: {}", file, world().size(), why_not));

@@ -40,11 +40,6 @@ std::vector<std::string> packing_warnings(const PackingFacts& facts) {
   return out;
 }
 
-std::string floating_warning(std::size_t clusters, const std::string& field) {
-  return fmt::format("{} without a fixed {} {}; what enters {} stays", quantity(clusters, "cluster"), field,
-                     clusters == 1 ? "is integrated" : "are integrated", clusters == 1 ? "it" : "them");
-}
-
 std::vector<std::string> range_warnings(const Scene& scene) {
   std::vector<std::string> out;
   if (scene.packed) {
@@ -68,7 +63,10 @@ std::vector<std::string> range_warnings(const Scene& scene) {
   }
   for (const auto& field : scene.fields)
     if (field.adrift_clusters > 0 && !field.steady)
-      out.push_back(floating_warning(field.adrift_clusters, field.name));
+      out.push_back(fmt::format("{} without a fixed {} {}; what enters {} stays",
+                                quantity(field.adrift_clusters, "cluster"), field.name,
+                                field.adrift_clusters == 1 ? "is integrated" : "are integrated",
+                                field.adrift_clusters == 1 ? "it" : "them"));
   return out;
 }
 

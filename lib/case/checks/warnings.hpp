@@ -16,13 +16,12 @@ void add_warnings(const std::vector<std::string>& more, std::vector<std::string>
 /// One sentence per finding; empty for a healthy scene.
 [[nodiscard]] std::vector<std::string> range_warnings(const Scene& scene);
 
-/// Parts of the same, for who counts by itself.
+/// What the same says of particles, for who does not have them all.
 struct PackingFacts {
   double smallest_radius = 0, largest_radius = 0;  ///< m
   std::size_t particles = 0, contacts = 0, limited_necks = 0;
 };
 [[nodiscard]] std::vector<std::string> packing_warnings(const PackingFacts& facts);
-[[nodiscard]] std::string floating_warning(std::size_t clusters, const std::string& field);
 
 /// Why the sizes of a scene's particles are almost surely a slip in the unit of length, and which unit is
 /// likely; empty for sizes from 10 nm to 1 m and for scenes without particles.

@@ -24,14 +24,6 @@ void for_selected(const TomlValue& where, const PackingInput& input, Each each) 
     if (chosen[k]) each(k);
 }
 
-}  // namespace
-
-std::string feeds_nobody(const std::string& place) {
-  return place + " selects fixed particles alone, which nothing changes: it does nothing";
-}
-
-namespace {
-
 /// The same for what feeds particles. Where all of them are held it does nothing, which `notes` say.
 template <class Each>
 void for_fed(const TomlValue& where, const PackingInput& input, const Graph& graph, Notes& notes, Each each) {
@@ -160,6 +152,10 @@ std::vector<std::string> read_inputs(TomlTable& table, const PackingInput& input
   read_convection(table, input, graph, notes);
   read_radiation(table, input, graph, notes);
   return notes;
+}
+
+std::string feeds_nobody(const std::string& place) {
+  return place + " selects fixed particles alone, which nothing changes: it does nothing";
 }
 
 }  // namespace superstep

@@ -1,5 +1,6 @@
 #include "case/layers/lattice_source.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "case/packed/packing_options.hpp"
@@ -15,7 +16,8 @@ class LatticeSource final : public LayerSource {
       : lattice_(lattice), unit_(unit), place_(std::move(place)) {}
 
   std::pair<std::int64_t, std::int64_t> first_share(const Communicator& among) const override {
-    return {layers() * among.rank() / among.size(), layers() * (among.rank() + 1) / among.size()};
+    return {begin_of_share(layers(), among.rank(), among.size()),
+            begin_of_share(layers(), among.rank() + 1, among.size())};
   }
   std::int64_t layers() const override { return lattice_.cells[2]; }
   std::int64_t nodes_before(std::int64_t layer) const override { return layer * lattice_.layer(); }

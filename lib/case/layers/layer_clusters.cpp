@@ -10,19 +10,6 @@
 namespace superstep {
 namespace {
 
-void merge(const ComponentFacts& from, ComponentFacts& into) {
-  if (!into.seen) {
-    into = from;
-    return;
-  }
-  into.uniform = into.uniform && from.uniform && into.value == from.value;
-  into.acted_on = into.acted_on || from.acted_on;
-  into.sourced = into.sourced || from.sourced;
-  into.has_fixed = into.has_fixed || from.has_fixed;
-  into.has_free = into.has_free || from.has_free;
-  into.exchanges = into.exchanges || from.exchanges;
-}
-
 struct Adrift {
   std::uint64_t moving = 0, idle = 0;
   bool something_moves = false;
@@ -61,17 +48,13 @@ void LayerClusters::take(const ReadLayers& read, std::int64_t first, std::int64_
 
 /// Contacts between components of two processes, each named by a node of it.
 std::vector<LayerClusters::Contact> LayerClusters::name_by_roots(Communicator& among) {
-  const double own[] = {static_cast<double>(begin_), static_cast<double>(end_)};
-  const std::vector<double> ranges = everywhere(own, among);
-  const auto owner = [&](std::int64_t node) {
-    std::size_t rank = 0;
-    while (
-        !(static_cast<double>(node) >= ranges[2 * rank] && static_cast<double>(node) < ranges[2 * rank + 1]))
-      ++rank;
-    return rank;
-  };
-  std::vector<std::vector<Contact>> to(at(among.size()));
-  for (const auto& [i, j] : beyond_) to[owner(j)].push_back({root_of(i), j});
+  const auto ranges = everywhere(IndexRange{begin_, end_}, among);
+  std::vector<std::vector<Contact>> to(ranges.size());
+  for (const auto& [i, j] : beyond_) {
+    auto owner = at(among.rank());  // what lies beyond is a later one's, mostly the next one's
+    while (!ranges[owner].holds(j)) ++owner;
+    to[owner].push_back({root_of(i), j});
+  }
   auto joined = all_to_all(std::move(to), among);
   for (auto& contact : joined) contact.j = root_of(contact.j);
   const auto key = [](const Contact& contact) { return std::pair(contact.i, contact.j); };
@@ -82,23 +65,23 @@ std::vector<LayerClusters::Contact> LayerClusters::name_by_roots(Communicator& a
   return joined;
 }
 
-std::uint64_t LayerClusters::count_adrift(Communicator& among) {
-  std::vector<ComponentFacts> facts(facts_.size());
+std::uint64_t LayerClusters::count_adrift(Communicator& among) && {
   for (std::int64_t node = begin_; node < end_; ++node)
-    merge(facts_[at(node - begin_)], facts[at(root_of(node) - begin_)]);
+    if (const std::int64_t root = root_of(node); root != node)
+      facts_[at(root - begin_)].take(std::exchange(facts_[at(node - begin_)], {}));
   const std::vector<Contact> joined = name_by_roots(among);
-  std::vector<char> is_shared(facts.size(), 0);
+  std::vector<char> is_shared(facts_.size(), 0);
   for (const auto& [i, j] : beyond_) is_shared[at(root_of(i) - begin_)] = 1;
   for (const auto& contact : joined) is_shared[at(contact.j - begin_)] = 1;
   Adrift adrift;
   std::vector<std::vector<Cluster>> clusters(at(among.size()));
   std::vector<std::vector<Contact>> contacts(at(among.size()));
-  for (std::size_t k = 0; k < facts.size(); ++k) {
-    if (!facts[k].seen) continue;  // no root
+  for (std::size_t k = 0; k < facts_.size(); ++k) {
+    if (!facts_[k].seen) continue;  // no root
     if (is_shared[k])
-      clusters.front().push_back({begin_ + static_cast<std::int64_t>(k), facts[k]});
+      clusters.front().push_back({begin_ + static_cast<std::int64_t>(k), facts_[k]});
     else
-      adrift.count(facts[k]);
+      adrift.count(facts_[k]);
   }
   contacts.front() = joined;
   // The root joins the few that several processes share.
@@ -109,7 +92,7 @@ std::uint64_t LayerClusters::count_adrift(Communicator& among) {
   DisjointSets sets(number.size());
   for (const auto& [i, j] : between) sets.join(number.at(i), number.at(j));
   std::vector<ComponentFacts> whole(number.size());
-  for (const auto& cluster : shared) merge(cluster.facts, whole[sets.root(number.at(cluster.root))]);
+  for (const auto& cluster : shared) whole[sets.root(number.at(cluster.root))].take(cluster.facts);
   for (const auto& one : whole)
     if (one.seen) adrift.count(one);
   const std::uint64_t moving = among.sum(adrift.moving), idle = among.sum(adrift.idle);

@@ -21,7 +21,7 @@ class LayerClusters {
   /// Collective, once all own nodes are there: components of the whole scene without a fixed node that
   /// exchange nothing with an ambient and in which something happens, or all of these where nothing happens
   /// anywhere.
-  [[nodiscard]] std::uint64_t count_adrift(Communicator& among);
+  [[nodiscard]] std::uint64_t count_adrift(Communicator& among) &&;
 
  private:
   struct Contact {
@@ -38,7 +38,7 @@ class LayerClusters {
 
   std::int64_t begin_, end_;
   DisjointSets sets_;
-  std::vector<ComponentFacts> facts_;  // [own nodes], of the node alone
+  std::vector<ComponentFacts> facts_;  // [own nodes], of the node alone until they are counted
   std::vector<Contact> beyond_;        // with nodes of others
 };
 

@@ -1,8 +1,5 @@
 #include "case/layers/layer_source.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "case/layers/lattice_source.hpp"
 #include "case/layers/table_source.hpp"
 

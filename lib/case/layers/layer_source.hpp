@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "core/text/toml.hpp"
 #include "packing/packing.hpp"

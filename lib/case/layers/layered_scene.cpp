@@ -17,6 +17,7 @@
 #include "case/layers/layer_clusters.hpp"
 #include "case/layers/layer_counts.hpp"
 #include "case/layers/layer_probes.hpp"
+#include "case/packed/packing_options.hpp"
 #include "core/index.hpp"
 #include "core/memory.hpp"
 #include "network/network_in_order.hpp"
@@ -86,7 +87,8 @@ void read_own_layers(const Partition& partition, double origin, LayeredNodes& no
   });
 }
 
-void list_warnings(const LayeredNodes& nodes, std::uint64_t limited_necks, std::uint64_t adrift,
+/// As of the whole scene.
+void list_warnings(const LayeredNodes& nodes, const LayerFacts& facts, std::uint64_t limited_necks,
                    Scene& scene) {
   const Packing sample = nodes.source().sample();
   const auto [smallest, largest] = std::minmax_element(sample.radius.begin(), sample.radius.end());
@@ -95,7 +97,9 @@ void list_warnings(const LayeredNodes& nodes, std::uint64_t limited_necks, std::
                                      .particles = at(nodes.source().nodes()),
                                      .contacts = at(nodes.edges),
                                      .limited_necks = limited_necks});
-  if (adrift > 0) scene.warnings.push_back(floating_warning(adrift, scene.fields.front().name));
+  add_warnings(range_warnings(scene), scene.warnings);
+  add_warnings(scene.fields.front().warnings, scene.warnings);
+  for (const auto& place : facts.feeding_nobody) scene.warnings.push_back(feeds_nobody(place));
 }
 
 void list_skips(const LayerFacts& facts, Scene& scene) {
@@ -122,13 +126,12 @@ FieldScene describe_field(LayeredNodes& nodes, const LayerFacts& facts) {
 
 }  // namespace
 
-std::unique_ptr<LayerSource> layers_of(const TomlTable& given, std::string& why_not) {
+bool can_be_layered(const TomlTable& given, std::string& why_not) {
   TomlTable root = given;
   auto packing = root.table("packing"), contact = root.table("contact"), thermal = root.table("thermal");
   const auto is_other = [&](const std::string& what) {
-    const auto order = packing ? packing->find("order") : std::nullopt;
-    if (order && order->string() == "layers") why_not = what;
-    return nullptr;
+    if (packing && read_packing_options(*packing).in_layers) why_not = what;
+    return false;
   };
   if (!packing || !contact || !thermal) return is_other("its case has no [thermal]");
   for (const char* other :
@@ -141,12 +144,12 @@ std::unique_ptr<LayerSource> layers_of(const TomlTable& given, std::string& why_
   if (thermal->find("initial") && thermal->find("initial")->is_table())
     return is_other("temperatures begin as a column says");
   auto source = find_layer_source(*packing, why_not);
-  if (!source) return nullptr;
+  if (!source) return false;
   LayerReader reader(root, std::move(source));
   const FieldScene field = reader.read_sample(false).field;
   if (!field.graph.tables.empty() || field.laws.of_material.front().varies())
     return is_other("inputs follow tables of time, or conductivities the temperature");
-  return find_layer_source(*packing, why_not);
+  return true;
 }
 
 Scene build_in_layers(TomlTable root, Communicator& among) {
@@ -164,7 +167,7 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
     throw InputError(
         fmt::format("{}: every node is fixed, so nothing is left to integrate; free some", scene.file));
   scene.fields.push_back(describe_field(nodes, facts));
-  const FieldScene& field = scene.fields.front();
+  FieldScene& field = scene.fields.front();
 
   const Partition partition(nodes.rows(), among.size(), among.rank(), block_rows());
   nodes.begin = node_of_row(nodes, partition.begin(), among);
@@ -179,6 +182,9 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
     read_own_layers(partition, field.origin, nodes, assembly, own, scene);
     if (nodes.begin == nodes.end) (void)nodes.reader().read_sample(true);  // its mistakes are everybody's
   });
+  const bool is_closed = facts.fixed == 0 && !facts.radiates && !facts.convects;
+  field.adrift_clusters = own.clusters ? std::move(*own.clusters).count_adrift(among) : is_closed ? 1 : 0;
+  own.clusters.reset();
   NetworkPart part = std::move(assembly).finish();
   part.network.origin = field.origin;
   part.network.halo = std::make_shared<Halo>(among, partition, std::move(part.halo));
@@ -194,10 +200,7 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
   source.bring(first, last, among);  // files of results are made of them
   source.release();
   agreed(among, [&] { nodes.reader().root().finish(); });
-  const bool is_closed = facts.fixed == 0 && !facts.radiates && !facts.convects;
-  list_warnings(nodes, limited, own.clusters ? own.clusters->count_adrift(among) : is_closed ? 1 : 0, scene);
-  add_warnings(field.warnings, scene.warnings);
-  for (const auto& place : facts.feeding_nobody) scene.warnings.push_back(feeds_nobody(place));
+  list_warnings(nodes, facts, limited, scene);
   list_skips(facts, scene);
   return scene;
 }

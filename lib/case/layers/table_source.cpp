@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -29,11 +29,8 @@ struct Sphere {
 
 /// Spheres of consecutive layers, in the order of their places.
 struct Stretch {
-  std::int64_t first = 0, last = 0;  // layers
+  IndexRange layers;
   std::vector<Sphere> spheres;
-  [[nodiscard]] bool holds(std::int64_t from, std::int64_t to) const noexcept {
-    return from >= first && to <= last;
-  }
 };
 
 class TableSource final : public LayerSource {
@@ -43,7 +40,7 @@ class TableSource final : public LayerSource {
   void share(Communicator& among) override;
   void bring(std::int64_t first, std::int64_t last, Communicator& among) override;
   std::pair<std::int64_t, std::int64_t> first_share(const Communicator& among) const override {
-    return share_of(among.rank(), among.size());
+    return {begin_of_layers(among.rank(), among.size()), begin_of_layers(among.rank() + 1, among.size())};
   }
   void release() override { read_ = {}; }
 
@@ -63,11 +60,13 @@ class TableSource final : public LayerSource {
  private:
   [[nodiscard]] std::vector<Sphere> read_part(Communicator& among) const;
   void measure(const std::vector<Sphere>& spheres, Communicator& among);
-  void count_layers(const std::vector<Sphere>& spheres, Communicator& among);
+  void count_spheres(const std::vector<Sphere>& spheres, Communicator& among);
   void require_unique_ids(const std::vector<Sphere>& spheres, Communicator& among) const;
   void require_distinct_centres() const;
-  /// Consecutive layers with about as many spheres as those of other processes.
-  [[nodiscard]] std::pair<std::int64_t, std::int64_t> share_of(int rank, int size) const;
+  /// Where the layers begin that a process looks at first: with about as many spheres as those of others.
+  [[nodiscard]] std::int64_t begin_of_layers(int rank, int size) const;
+  /// Those of `layers`, all of which are in the stretch.
+  [[nodiscard]] std::span<const Sphere> spheres_of(IndexRange layers, const Stretch& stretch) const;
   void describe(Packing& packing) const;
 
   TableInParts table_;
@@ -80,13 +79,10 @@ class TableSource final : public LayerSource {
 };
 
 std::vector<Sphere> TableSource::read_part(Communicator& among) const {
-  const auto from = [&](int rank) {
-    const auto process = static_cast<std::uint64_t>(rank), all = static_cast<std::uint64_t>(among.size());
-    return table_.bytes() / all * process + table_.bytes() % all * process / all;
-  };
   std::vector<Sphere> spheres;
   agreed(among, [&] {
-    const Packing part = table_.read(from(among.rank()), from(among.rank() + 1));
+    const Packing part = table_.read(begin_of_share(table_.bytes(), among.rank(), among.size()),
+                                     begin_of_share(table_.bytes(), among.rank() + 1, among.size()));
     for (std::size_t k = 0; k < part.size(); ++k)
       spheres.push_back({part.id[k], part.centre[k], part.radius[k]});
   });
@@ -103,13 +99,9 @@ void TableSource::measure(const std::vector<Sphere>& spheres, Communicator& amon
   Bounds centres{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}, surfaces = centres;
   double smallest = infinity, largest = 0;
   ExactSum sum;
-  const auto widen = [](Bounds& box, Vec3 low, Vec3 high) {
-    box.min = {std::min(box.min.x, low.x), std::min(box.min.y, low.y), std::min(box.min.z, low.z)};
-    box.max = {std::max(box.max.x, high.x), std::max(box.max.y, high.y), std::max(box.max.z, high.z)};
-  };
   for (const auto& [id, centre, r] : spheres) {
-    widen(centres, centre, centre);
-    widen(surfaces, centre + Vec3{-r, -r, -r}, centre + Vec3{r, r, r});
+    centres.take(centre, centre);
+    surfaces.take(centre - Vec3{r, r, r}, centre + Vec3{r, r, r});
     smallest = std::min(smallest, r);
     largest = std::max(largest, r);
     sum.add(r);
@@ -125,11 +117,11 @@ void TableSource::measure(const std::vector<Sphere>& spheres, Communicator& amon
   const auto count = among.sum(spheres.size());
   if (count == 0)
     throw InputError(fmt::format("{}: has a header but no particles; at least one is needed", table_.path()));
-  mean_diameter_ = 2 * among.sum(sum) / static_cast<double>(count);
+  mean_diameter_ = mean_diameter(among.sum(sum), count);
   grid_ = PackingLayers(centres, largest_, static_cast<std::int64_t>(count));
 }
 
-void TableSource::count_layers(const std::vector<Sphere>& spheres, Communicator& among) {
+void TableSource::count_spheres(const std::vector<Sphere>& spheres, Communicator& among) {
   std::vector<double> here(at(grid_.count()), 0.0);
   for (const auto& sphere : spheres) ++here[at(grid_.place_of(sphere.centre, sphere.id).layer)];
   const std::vector<double> all = everywhere(here, among);
@@ -141,13 +133,17 @@ void TableSource::count_layers(const std::vector<Sphere>& spheres, Communicator&
   }
 }
 
-std::pair<std::int64_t, std::int64_t> TableSource::share_of(int rank, int size) const {
-  const auto first = [&](int process) {
-    const std::int64_t node = nodes() / size * process + nodes() % size * process / size;
-    return process == size ? layers()
-                           : std::lower_bound(before_.begin(), before_.end(), node) - before_.begin();
-  };
-  return {first(rank), first(rank + 1)};
+std::int64_t TableSource::begin_of_layers(int rank, int size) const {
+  if (rank == size) return layers();
+  return std::lower_bound(before_.begin(), before_.end(), begin_of_share(nodes(), rank, size)) -
+         before_.begin();
+}
+
+std::span<const Sphere> TableSource::spheres_of(IndexRange layers, const Stretch& stretch) const {
+  const std::int64_t before = before_[at(stretch.layers.begin)];
+  return std::span(stretch.spheres)
+      .subspan(at(before_[at(layers.begin)] - before),
+               at(before_[at(layers.end)] - before_[at(layers.begin)]));
 }
 
 /// Each id has a process that sees all of its rows.
@@ -162,8 +158,7 @@ void TableSource::require_unique_ids(const std::vector<Sphere>& spheres, Communi
   agreed(among, [&] {
     if (twice != ids.end())
       throw InputError(
-          fmt::format("{}: id {} stands twice; ids must be unique; renumber or remove one of the "
-                      "two",
+          fmt::format("{}: id {} stands twice; ids must be unique; renumber or remove one of the two",
                       table_.path(), *twice));
   });
 }
@@ -183,19 +178,18 @@ void TableSource::require_distinct_centres() const {
 void TableSource::share(Communicator& among) {
   std::vector<Sphere> spheres = read_part(among);
   measure(spheres, among);
-  count_layers(spheres, among);
+  count_spheres(spheres, among);
   if (table_.has_ids()) require_unique_ids(spheres, among);
-  std::vector<std::int64_t> begin_of_share;
-  for (int rank = 0; rank < among.size(); ++rank)
-    begin_of_share.push_back(share_of(rank, among.size()).first);
+  std::vector<std::int64_t> begins;
+  for (int rank = 0; rank < among.size(); ++rank) begins.push_back(begin_of_layers(rank, among.size()));
   std::vector<std::vector<Sphere>> to(at(among.size()));
   for (const auto& sphere : spheres) {
     const std::int64_t layer = grid_.place_of(sphere.centre, sphere.id).layer;
-    const auto behind = std::upper_bound(begin_of_share.begin(), begin_of_share.end(), layer);
-    to[at(behind - begin_of_share.begin() - 1)].push_back(sphere);
+    const auto behind = std::upper_bound(begins.begin(), begins.end(), layer);
+    to[at(behind - begins.begin() - 1)].push_back(sphere);
   }
   std::vector<Sphere>().swap(spheres);
-  std::tie(read_.first, read_.last) = first_share(among);
+  std::tie(read_.layers.begin, read_.layers.end) = first_share(among);
   read_.spheres = all_to_all(std::move(to), among);
   const auto place = [&](const Sphere& sphere) { return grid_.place_of(sphere.centre, sphere.id); };
   std::sort(read_.spheres.begin(), read_.spheres.end(),
@@ -204,17 +198,13 @@ void TableSource::share(Communicator& among) {
 }
 
 void TableSource::bring(std::int64_t first, std::int64_t last, Communicator& among) {
-  const double own[] = {static_cast<double>(first), static_cast<double>(last)};
-  const auto wishes = everywhere(own, among);
-  std::vector<std::vector<Sphere>> to(at(among.size()));
-  for (std::size_t rank = 0; rank < to.size(); ++rank) {
-    const auto from = std::max(read_.first, static_cast<std::int64_t>(wishes[2 * rank]));
-    const auto end = std::min(read_.last, static_cast<std::int64_t>(wishes[2 * rank + 1]));
-    if (from >= end) continue;
-    const auto begin = read_.spheres.begin() - before_[at(read_.first)];
-    to[rank].assign(begin + before_[at(from)], begin + before_[at(end)]);
+  std::vector<std::vector<Sphere>> to;
+  for (const IndexRange& wish : everywhere(IndexRange{first, last}, among)) {
+    const IndexRange layers = read_.layers.overlap(wish);
+    const auto spheres = layers.empty() ? std::span<const Sphere>() : spheres_of(layers, read_);
+    to.emplace_back(spheres.begin(), spheres.end());
   }
-  brought_ = {first, last, all_to_all(std::move(to), among)};
+  brought_ = {{first, last}, all_to_all(std::move(to), among)};
 }
 
 void TableSource::describe(Packing& packing) const {
@@ -227,13 +217,13 @@ void TableSource::describe(Packing& packing) const {
 }
 
 Packing TableSource::packing(std::int64_t first, std::int64_t last) const {
-  const Stretch& stretch = brought_.holds(first, last) ? brought_ : read_;
+  const IndexRange layers{first, last};
+  const bool is_brought = first >= brought_.layers.begin && last <= brought_.layers.end;
   Packing packing;
-  const auto begin = stretch.spheres.begin() - before_[at(stretch.first)];
-  for (auto sphere = begin + before_[at(first)]; sphere != begin + before_[at(last)]; ++sphere) {
-    packing.id.push_back(sphere->id);
-    packing.centre.push_back(sphere->centre);
-    packing.radius.push_back(sphere->radius);
+  for (const auto& [id, centre, radius] : spheres_of(layers, is_brought ? brought_ : read_)) {
+    packing.id.push_back(id);
+    packing.centre.push_back(centre);
+    packing.radius.push_back(radius);
   }
   describe(packing);
   return packing;
@@ -253,15 +243,15 @@ std::int64_t TableSource::node_of_id(std::int64_t id, Communicator& among) const
                                   [&](const Sphere& sphere) { return sphere.id == id; });
   const bool here = found != read_.spheres.end();
   return static_cast<std::int64_t>(among.max(
-      here ? static_cast<double>(before_[at(read_.first)] + (found - read_.spheres.begin())) : -1.0));
+      here ? static_cast<double>(before_[at(read_.layers.begin)] + (found - read_.spheres.begin())) : -1.0));
 }
 
 }  // namespace
 
 std::unique_ptr<LayerSource> find_table_source(TomlTable& packing, std::string& why_not) {
-  const auto file = packing.find("file"), order = packing.find("order");
-  if (!file || !order || order->string() != "layers") return nullptr;
+  const auto file = packing.find("file");
   const PackingOptions options = read_packing_options(packing);
+  if (!file || !options.in_layers) return nullptr;
   auto table = read_named_file(
       *file, [&](const std::string& path) { return TableInParts::open(path, options, why_not); });
   if (!table) return nullptr;

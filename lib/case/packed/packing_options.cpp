@@ -56,6 +56,8 @@ PackingOptions read_packing_options(TomlTable& packing) {
   }
   if (auto box = packing.table("box")) options.box = read_box(*box);
   if (const auto format = packing.find("format")) options.format = one_of(*format, {"auto", "xyzd", "xyzr"});
+  if (const auto order = packing.find("order"))
+    options.in_layers = one_of(*order, {"bandwidth", "layers"}) == "layers";
   if (const auto style = packing.string("atom_style")) options.atom_style = *style;
   if (const auto columns = packing.find("columns")) {
     options.columns = columns->strings();

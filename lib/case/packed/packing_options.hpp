@@ -6,7 +6,8 @@
 
 namespace superstep {
 
-/// Reads `length_unit`, `units`, `periodic`, `box`, `format`, `atom_style` and `columns`. Throws InputError.
+/// Reads `length_unit`, `units`, `periodic`, `box`, `format`, `atom_style`, `columns` and `order`. Throws
+/// InputError.
 [[nodiscard]] PackingOptions read_packing_options(TomlTable& packing);
 
 }  // namespace superstep

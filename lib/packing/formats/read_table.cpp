@@ -81,8 +81,7 @@ class OneTimeStep {
  public:
   explicit OneTimeStep(const std::vector<std::string>& names) : names_(names) {
     for (std::size_t k = 0; k < names.size(); ++k)
-      for (const char* name : {"time", "timestep", "timevalue", "frame", "step"})
-        if (name_without_unit(names[k]) == name) columns_.push_back(k);
+      if (names_a_time(names[k])) columns_.push_back(k);
   }
   void look_at(const DelimitedTable& table) {
     if (columns_.empty()) return;

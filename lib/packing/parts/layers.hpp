@@ -27,22 +27,24 @@ class PackingLayers {
   ///   particles       there are at most as many layers
   PackingLayers(const Bounds& centres, double largest_radius, std::int64_t particles);
 
-  [[nodiscard]] std::int64_t count() const noexcept { return cells_[axes_[0]]; }
+  [[nodiscard]] std::int64_t count() const noexcept { return cells_[0]; }
   [[nodiscard]] LayerPlace place_of(Vec3 centre, std::int64_t id) const noexcept;
   /// Least distance [m] of the centres in layers [first, last) from `point`, or less than that.
   [[nodiscard]] double distance(std::int64_t first, std::int64_t last, Vec3 point) const noexcept;
 
  private:
   Vec3 low_;
-  double thickness_ = 1;                      // m
-  std::array<std::size_t, 3> axes_{2, 1, 0};  // the longest side first
-  std::array<std::int64_t, 3> cells_{1, 1, 1};
+  double thickness_ = 1;                        // m
+  std::array<char, 3> axes_{'z', 'y', 'x'};     // the longest side first
+  std::array<std::int64_t, 3> cells_{1, 1, 1};  // along these
 };
 
 /// Puts the spheres in the order of their places, whatever the order of the file was.
 void stand_in_layers(Packing& packing);
 
-/// Of all radii [m], the same whoever adds up which of them: 2 sum / n, the sum rounded once.
-[[nodiscard]] double exact_mean_diameter(const Packing& packing);
+/// Of so many radii [m] by their sum: one formula for who has all of them and who has some.
+[[nodiscard]] constexpr double mean_diameter(double sum_of_radii, std::uint64_t particles) noexcept {
+  return 2 * sum_of_radii / static_cast<double>(particles);
+}
 
 }  // namespace superstep

@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <utility>
 
 #include "core/error.hpp"
 #include "core/text/decoding/encoding.hpp"
 #include "core/text/delimited.hpp"
 #include "core/text/text_file.hpp"
 #include "packing/formats/columns/columns.hpp"
+#include "packing/formats/columns/known_names.hpp"
 #include "packing/formats/formats.hpp"
 #include "packing/formats/stated.hpp"
 
@@ -76,9 +75,7 @@ std::optional<TableInParts> TableInParts::open(const std::string& path, const Pa
   const auto& names = options.columns.empty() ? table.names() : options.columns;
   const SphereColumns columns = find_sphere_columns(names, {}, path, "the header");
   if (columns.material != SphereColumns::none) return is_other("it has a column of materials");
-  for (const auto& name : names)
-    for (const char* time : {"time", "timestep", "timevalue", "frame", "step"})
-      if (lower_case(name).starts_with(time)) return is_other("it has a column of time");
+  if (std::any_of(names.begin(), names.end(), names_a_time)) return is_other("it has a column of time");
   TableInParts parts;
   parts.path_ = path;
   parts.options_ = options;

@@ -100,6 +100,11 @@ const std::vector<std::string>& material_names() {
   return names;
 }
 
+bool names_a_time(std::string_view written) {
+  static const std::vector<std::string> names = {"time", "timestep", "timevalue", "frame", "step"};
+  return std::find(names.begin(), names.end(), name_without_unit(written)) != names.end();
+}
+
 std::string usual_meaning(std::string_view written) {
   const std::string name = plain_name(written).name;
   for (const auto& names : coordinate_names())

@@ -32,6 +32,9 @@ using CoordinateNames = std::array<std::string, 3>;
 [[nodiscard]] const std::vector<std::string>& diameter_names();
 [[nodiscard]] const std::vector<std::string>& material_names();
 
+/// A column that holds the time of each row, or the number of its step.
+[[nodiscard]] bool names_a_time(std::string_view written);
+
 /// "x", "y", "z", "radius", "diameter", "id" or "material"; empty for what is an attribute.
 [[nodiscard]] std::string usual_meaning(std::string_view written);
 
