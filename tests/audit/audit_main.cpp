@@ -38,7 +38,7 @@ constexpr const char* usage = R"(superstep_audit: random scenes against an oracl
   --reference          judge the reference instead: is its bar above its error, and how large is it
   --spans              judge the spans that the library finds
   --bounds             judge the bounds that methods state, against sixty digits (default class: linear-constant,
-                       default methods: exponential by Chebyshev and by Lanczos)
+                       default methods: exponential in each basis)
   --describe           what the scenes are, with the oracle's span, error and time
 )";
 
@@ -225,7 +225,8 @@ int run(const Arguments& arguments) {
     return 0;
   }
   if (arguments.bounds) {
-    const std::vector<std::string> bases = {"exponential:basis=chebyshev", "exponential:basis=lanczos"};
+    const std::vector<std::string> bases = {"exponential:basis=chebyshev", "exponential:basis=lanczos",
+                                            "exponential:basis=shift-invert"};
     const auto methods = contenders(arguments.methods.empty() ? bases : arguments.methods);
     SceneWishes wishes = arguments.wishes;
     if (wishes.kind.empty()) wishes.kind = "linear-constant";

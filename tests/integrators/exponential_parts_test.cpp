@@ -1,13 +1,16 @@
 /// The parts of the exponential: Bessel coefficients, responses of a tridiagonal matrix, the bound of a
-/// residual, moments of inputs.
+/// residual, of polynomial and of rational spaces, moments of inputs.
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "integrators/detail/exponential/chebyshev_exponential.hpp"
 #include "integrators/detail/exponential/duhamel_coefficients.hpp"
+#include "integrators/detail/krylov/rational_projection.hpp"
 #include "integrators/detail/krylov/residual_bound.hpp"
 #include "integrators/detail/krylov/tridiagonal_response.hpp"
 
@@ -160,6 +163,85 @@ TEST(DuhamelCoefficients, MomentsHaveTheirClosedForms) {
     // integral of (1 - 2 w) exp(-mu w) = zeroth - 2 (1 - (1 + mu) exp(-mu))/mu^2
     EXPECT_NEAR(moments[1], zeroth - 2 * (1 - (1 + mu) * std::exp(-mu)) / (mu * mu), 1e-13) << mu;
   }
+}
+
+/// A diagonal A, whose functions are plain; rates over twelve decades, one of them 0 as in a closed network.
+class RationalSpace {
+ public:
+  explicit RationalSpace(double pole) : pole_(pole), projection_(pole) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> decades(-4, 8), entry(-1, 1);
+    rate_(0) = 0;
+    for (Eigen::Index k = 1; k < size; ++k) rate_(k) = std::pow(10, decades(random));
+    basis_.emplace_back(size);
+    for (double& x : basis_.front()) x = entry(random);
+    basis_.front().normalize();
+  }
+  /// Returns the length of what the new image has outside the space before.
+  double add_vector(double wrong = 0) {
+    Vector image = basis_.back().array() / (1 + pole_ * rate_.array());
+    image(size / 2) += wrong;
+    std::vector<double> products(basis_.size(), 0.0);
+    for (int round = 0; round < 2; ++round)
+      for (std::size_t j = 0; j < basis_.size(); ++j) {
+        const double part = basis_[j].dot(image);
+        products[j] += part;
+        image -= part * basis_[j];
+      }
+    projection_.add_vector(products);
+    basis_.push_back(image.normalized());
+    return image.norm();
+  }
+  [[nodiscard]] double error_at(double t) const {
+    const auto value = projection_.response(t).value;
+    Vector sum = Vector::Zero(size);
+    for (std::size_t j = 0; j < value.size(); ++j) sum += value[j] * basis_[j];
+    for (Eigen::Index k = 0; k < size; ++k) {
+      const double once = rate_(k) > 0 ? -std::expm1(-t * rate_(k)) / rate_(k) : t;
+      sum(k) -= (once / pole_ - std::expm1(-t * rate_(k))) * basis_.front()(k);
+    }
+    return sum.norm();
+  }
+  [[nodiscard]] RationalError bound_at(double t) const { return projection_.error(t); }
+
+ private:
+  static constexpr Eigen::Index size = 60;
+  using Vector = Eigen::VectorXd;
+  double pole_;
+  Vector rate_{size};
+  std::vector<Vector> basis_;
+  RationalProjection projection_;
+};
+
+TEST(RationalError, IsABoundAndNotAMuchLargerOne) {
+  constexpr double pole = 0.1;
+  RationalSpace space(pole);
+  for (int m = 1; m <= 24; ++m) {
+    const double beyond = space.add_vector();
+    if (m < 3) continue;
+    for (const double t : {0.1, 0.5, 1.0, 3.0, 10.0}) {
+      const double error = space.error_at(t), bound = beyond * space.bound_at(t).next;
+      const double rounding = 1e-13 * t / pole;
+      EXPECT_LE(error, bound + rounding) << m << ' ' << t;
+      EXPECT_LE(bound, 20 * (error + rounding)) << m << ' ' << t;
+    }
+  }
+}
+
+TEST(RationalError, CountsWrongImages) {
+  constexpr double wrong = 1e-6;
+  RationalSpace space(0.1);
+  bool needed = false;
+  for (int m = 1; m <= 24; ++m) {
+    const double beyond = space.add_vector(wrong);
+    for (const double t : {0.1, 1.0, 10.0}) {
+      const auto [next, images] = space.bound_at(t);
+      const double error = space.error_at(t);
+      EXPECT_LE(error, beyond * next + std::sqrt(m) * wrong * images) << m << ' ' << t;
+      needed = needed || error > beyond * next;
+    }
+  }
+  EXPECT_TRUE(needed);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.hpp"
 #include "integrators/detail/driver/run_guard.hpp"
@@ -49,16 +50,20 @@ bool ShiftInvertPropagator::solve(std::span<const double> v, StateVector& out) {
   if (!refines_) return true;
   // By differences of neighbours: what an assembled diagonal has lost of small capacities is still there.
   constexpr double found = 1e-9;  // of v, which nothing makes larger
-  const double whole = dot(v, v);
+  const double whole = std::sqrt(dot(v, v));
   constexpr int most_rounds = 12;
   double before = 0;
   for (int round = 0; round < most_rounds; ++round) {
     rhs().linear_stage({.y1 = out.data(), .a = -1, .d = projection_.pole(), .y0 = v.data(), .c = 1}, work_);
     if (!solver_->solve(work_, correction_, 0)) return false;
     for_each_entry(out.size(), [&](std::size_t i) { out[i] += correction_[i]; });
-    const double size = dot(correction_, correction_);
-    if (!(size > found * found * whole)) return true;
-    if (round > 0 && size > contracting * contracting * before) return false;
+    const double size = std::sqrt(dot(correction_, correction_));
+    if (!(size > found * whole)) {
+      const double left = size * std::min(contracting, size / (round > 0 ? before : whole));
+      error_of_solutions_ = std::max(error_of_solutions_, left / whole);
+      return true;
+    }
+    if (round > 0 && size > contracting * before) return false;
     before = size;
   }
   return false;
@@ -86,6 +91,7 @@ bool ShiftInvertPropagator::find_first_step() {
     if (!solver_->solve(work_, correction_, 0)) return false;
     add(correction_, 1);
     const double size = std::sqrt(dot(correction_, correction_));
+    error_of_start_ = size;
     if (size * rms_over_norm() <= harmless * allowed()) return true;
     // Corrections end at the roundings of the values; where the matrix hides what is slow they never shrink.
     constexpr double rounding = 1e-6;  // of the step
@@ -105,6 +111,10 @@ bool ShiftInvertPropagator::open_space() {
   StateVector& p = basis_.front();
   length_ = std::sqrt(dot(p, p));
   exhausted_ = length_ == 0;
+  beyond_ = 0;
+  // Where nothing needs a correction a solution is no worse than this first one was.
+  constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();
+  error_of_solutions_ = roundings + (refines_ || exhausted_ ? 0 : error_of_start_ / length_);
   if (!exhausted_) for_each_entry(p.size(), [&](std::size_t i) { p[i] /= length_; });
   return true;
 }
@@ -130,6 +140,7 @@ bool ShiftInvertPropagator::add_vector() {
   const double norm = std::sqrt(dot(next, next));
   constexpr double nothing = 1e-15;  // left: the space holds all that p excites
   exhausted_ = !(norm > nothing * before);
+  beyond_ = norm;
   if (!exhausted_) for_each_entry(next.size(), [&](std::size_t i) { next[i] /= norm; });
   return true;
 }
@@ -202,6 +213,27 @@ void ShiftInvertPropagator::evaluate(std::span<Output> outputs) {
   }
 }
 
+void ShiftInvertPropagator::report_bound(std::span<const Output> outputs) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  constexpr double near = 1.3;  // times whose errors are alike
+  const auto m = static_cast<double>(projection_.dimension());
+  RationalError largest;
+  double looked_at = 0;
+  for (const auto& output : outputs) {
+    if (m == 0 || (output.elapsed < near * looked_at && &output != &outputs.back())) continue;
+    looked_at = output.elapsed;
+    const RationalError error = projection_.error(looked_at);
+    largest = {std::max(largest.next, error.next), std::max(largest.images, error.images)};
+  }
+  const double slowest = 1 + outputs.back().elapsed / projection_.pole();  // what p becomes at most
+  const double start = slowest * (error_of_start_ + m * epsilon * length_);
+  const double images = std::sqrt(m) * error_of_solutions_ * length_ * largest.images;
+  const double stored = epsilon * magnitude() * span();
+  add_growth(
+      {beyond_ * length_ * largest.next * rms_over_norm(), (start + images) * rms_over_norm() + stored},
+      reported_);
+}
+
 std::span<InstantBatch::Output> ShiftInvertPropagator::serve(std::span<Output> outputs) {
   if (outputs.front().elapsed > longest_ || outputs.front().elapsed < shortest_) {
     shortest_ = outputs.front().elapsed;
@@ -218,12 +250,12 @@ std::span<InstantBatch::Output> ShiftInvertPropagator::serve(std::span<Output> o
 
 Outcome ShiftInvertPropagator::propagate(std::span<Output> outputs) {
   if (rhs().spectral_bound(now(), origin()) == 0) return no_exchange(outputs);
-  give_up_bound();
   while (!outputs.empty()) {
     const auto served = serve(outputs);
     if (served.empty()) return no_factor();
     if (Outcome outcome = grow(served); !outcome.ok()) return outcome;
     evaluate(served);
+    report_bound(served);
     outputs = outputs.subspan(served.size());
   }
   return {};

@@ -5,14 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "integrators/detail/krylov/decay.hpp"
+
 namespace superstep {
 namespace {
-
-/// t phi_1(-t lambda), the integral of exp(-s lambda) from 0 to t.
-double decayed(double lambda, double t) {
-  const double x = lambda * t;
-  return std::abs(x) < 1e-8 ? t * (1 - x / 2) : -std::expm1(-x) / lambda;
-}
 
 /// t^2 phi_2(-t lambda), the integral of that.
 double decayed_twice(double lambda, double t) {
@@ -42,6 +38,11 @@ void RationalProjection::add_vector(std::span<const double> products) {
     rate.push_back((1 / inside - 1) / pole_);
   }
   vectors.assign(solver.eigenvectors().data(), solver.eigenvectors().data() + m * m);
+}
+
+RationalError RationalProjection::error(double t) const {
+  const auto& [rate, vectors] = spectra_.front();
+  return rational_error(pole_, rate, vectors, t);
 }
 
 RationalProjection::Response RationalProjection::response(double t, std::size_t less) const {

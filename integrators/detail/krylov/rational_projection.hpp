@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "integrators/detail/krylov/rational_residual.hpp"
+
 namespace superstep {
 
 /// H is what (I + gamma A)^-1 is in an orthonormal basis, from which A there is (H^-1 - I)/gamma. Keeps the
@@ -27,6 +29,8 @@ class RationalProjection {
   };
   /// In a space with `less` vectors fewer, less < kept and < dimension.
   [[nodiscard]] Response response(double t, std::size_t less = 0) const;
+  /// What the response in the whole space leaves out.
+  [[nodiscard]] RationalError error(double t) const;
 
  private:
   struct Spectrum {
