@@ -10,10 +10,10 @@
 #endif
 
 // One line per method: its file in this folder defines `IntegratorEntry <name>_entry()`.
-#define SUPERSTEP_INTEGRATORS(method)                                                                       \
-  method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(rock) method(trapezoidal)    \
-      method(esdirk) method(exponential) method(exprb) method(cvode) method(arkode) SUPERSTEP_PETSC(method) \
-          method(automatic)
+#define SUPERSTEP_INTEGRATORS(method)                                                                   \
+  method(forward_euler) method(sts) method(rkc) method(rkl) method(rkg) method(tsrkc) method(rock)      \
+      method(trapezoidal) method(esdirk) method(exponential) method(exprb) method(cvode) method(arkode) \
+          SUPERSTEP_PETSC(method) method(automatic)
 
 namespace superstep {
 

@@ -17,7 +17,7 @@ void set_stage_times(ThreeTermScheme& scheme) {
     scheme.c[j] = scheme.m[j] * scheme.c[j - 1] + scheme.n[j] * scheme.c[j - 2] + scheme.mt[j] + scheme.gt[j];
 }
 
-void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
+void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme, double reach) {
   const auto s = static_cast<std::size_t>(stages);
   scheme.stages = stages;
   scheme.uses_first_derivative = scheme.keeps_first_stage = false;
@@ -25,7 +25,7 @@ void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme) {
   for (auto* v : {&scheme.m, &scheme.n, &scheme.mt, &scheme.gt, &scheme.c}) v->assign(s + 1, 0.0);
   // T_j = cosh(j theta): T'_s/T_s = s tanh(s theta)/sinh(theta), theta free of cancellation.
   const double w0 = 1 + excess, sinh_theta = std::sqrt(excess * (2 + excess)), theta = std::asinh(sinh_theta);
-  const double w1 = sinh_theta / (stages * std::tanh(stages * theta));
+  const double w1 = reach * sinh_theta / (stages * std::tanh(stages * theta));
   scheme.beta = (1 + w0) / w1;
   scheme.mt[1] = w1 / w0;
   for (std::size_t j = 2; j <= s; ++j) {

@@ -47,10 +47,11 @@ void set_stage_times(ThreeTermScheme& scheme);
 
 /// First-order RKC polynomial T_s(w0 + w1 z)/T_s(w0), by ratios of T_j that cannot overflow.
 ///   excess [-]  w0 - 1 > 0, given as such because 1 + excess would lose its digits
+///   reach  [-]  time that the last stage is at, over the step: w1 is that times what makes it 1
 /// Super-time-stepping with damping nu is the case w0 = (1 + nu)/(1 - nu), excess = 2 nu/(1 - nu).
 /// Source: Verwer, Hundsdorfer & Sommeijer (1990), Convergence properties of the Runge-Kutta-Chebyshev
 /// method.
-void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme);
+void first_order_chebyshev(int stages, double excess, ThreeTermScheme& scheme, double reach = 1);
 
 /// Whether f(y0 + d) = f(y0) + K d for any change d and at any time, so that stages can be changes alone.
 [[nodiscard]] bool evaluates_changes(const Rhs& rhs) noexcept;
