@@ -161,7 +161,8 @@ TEST_F(StatedUnits, OfProfilesAreReadFromTheirNames) {
     folder_.write("p.csv", content);
     return chain(edges_, "fixed = [{ ids = [1], value = { file = \"p.csv\"" + keys + " } }]");
   };
-  for (const char* time : {"time [ms]", "time_ms", "time/ms", "time (min)"}) {
+  for (const char* time : {"time [ms]", "time_ms", "time/ms", "time (min)", "ms", "hours", "time-ms", "t.ms",
+                           "t:ms", "t|ms", "time_milliseconds"}) {
     const std::string content = std::string(time) + ",value\n0,0\n1,1\n";
     expect_refused(profile(content, std::string(", time = \"") + time + "\""), "times must be in s");
   }
@@ -172,6 +173,18 @@ TEST_F(StatedUnits, OfProfilesAreReadFromTheirNames) {
   for (const char* head : {"# time_ms value\n", "# time value_mW\n", "# t_ms T\n", "# t T_C\n"})
     expect_refused(profile(head + std::string("0 0\n1 1\n")), "p.csv:1");
   expect_refused(profile("time,value [mK]\n0,0\n1,1\n"), "is in mK; values must be in");
+  for (const char* value : {"degC", "celsius", "kW", "P-kW", "P_GW", "I_uA", "T (F)", "T (m)", "T [-]"}) {
+    const std::string content = std::string("time,") + value + "\n0,0\n1,1\n";
+    const std::string key = std::string(", value = \"") + value + "\"";
+    expect_refused(profile(content, key), "values must be in K, V, W or A");
+    EXPECT_NO_THROW((void)load_scene(folder_.write("c.toml", profile(content, key + ", scale = 2.0"))));
+  }
+  for (const char* value : {"T (K)", "U [V]", "P_W", "I [A]", "min", "x.y", "T_mean"}) {
+    const std::string content = std::string("time,") + value + "\n0,0\n1,1\n";
+    EXPECT_NO_THROW((void)load_scene(
+        folder_.write("c.toml", profile(content, std::string(", value = \"") + value + "\""))))
+        << value;
+  }
   const auto scene = load_scene(folder_.write("c.toml", profile("# my profile\n0 0\n1 1\n")));
   EXPECT_EQ(scene.fields[0].graph.tables.size(), 1u);
 }

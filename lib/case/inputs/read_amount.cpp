@@ -74,19 +74,33 @@ std::string_view stated_unit(std::string_view name, std::span<const std::string_
 }
 
 /// Words that can be nothing else behind a time, or behind a value ("T_min" is none of them).
-constexpr std::array<std::string_view, 13> of_times = {"ms", "us", "µs",    "μs", "ns",  "min", "minutes",
-                                                       "h",  "hr", "hours", "d",  "day", "days"};
-constexpr std::array<std::string_view, 10> of_values = {"mK", "mV", "kV", "uV", "mW",
-                                                        "kW", "MW", "uW", "mA", "kA"};
+constexpr std::array<std::string_view, 22> of_times = {
+    "ms",     "msec",         "us",          "µs",           "μs",          "usec",       "ns", "min",
+    "minute", "minutes",      "h",           "hr",           "hour",        "hours",      "d",  "day",
+    "days",   "milliseconds", "millisecond", "microseconds", "microsecond", "nanoseconds"};
+constexpr std::array<std::string_view, 22> of_values = {
+    "mK", "uK", "mV", "kV", "uV", "nV",   "mW", "kW",   "MW",         "GW",      "uW",
+    "nW", "mA", "kA", "uA", "nA", "degC", "°C", "degF", "fahrenheit", "celsius", "Celsius"};
+
+/// The unit that a column states which is called by it ("ms"), or has it behind another sign ("time-ms"). Not
+/// of the words of a comment, which may be sentences.
+template <std::size_t n>
+std::string_view lone_unit(std::string_view name, const std::array<std::string_view, n>& words) {
+  const std::size_t cut = name.find_last_of("-.:|");
+  const std::string_view last = trimmed(cut == std::string_view::npos ? name : name.substr(cut + 1));
+  return std::find(words.begin(), words.end(), last) == words.end() ? std::string_view{} : last;
+}
 
 /// Tables of time are in SI units: a column that says otherwise is not read as if it did not.
+template <std::size_t n>
 void require_unit(const DelimitedTable& rows, std::size_t column, std::string_view stated(std::string_view),
-                  bool plain(std::string_view), const char* way_out) {
+                  const std::array<std::string_view, n>& words, bool plain(std::string_view),
+                  const char* way_out) {
   if (rows.names().empty()) return;
-  const std::string_view unit = stated(rows.names()[column]);
+  const std::string& name = rows.names()[column];
+  const std::string_view behind = stated(name), unit = behind.empty() ? lone_unit(name, words) : behind;
   if (unit.empty() || plain(unit)) return;
-  throw InputError(
-      fmt::format("{}: column '{}' is in {}; {}", rows.where_header(), rows.names()[column], unit, way_out));
+  throw InputError(fmt::format("{}: column '{}' is in {}; {}", rows.where_header(), name, unit, way_out));
 }
 
 bool is_second(std::string_view unit) {
@@ -102,8 +116,10 @@ std::string_view unit_of_value(std::string_view name) {
 }
 
 bool is_unit_of_value(std::string_view unit) {
+  constexpr std::array<std::string_view, 4> plain = {"K", "V", "W", "A"};
   const std::string word = lower_case(unit);
-  return (!is_second(unit) && is_plain_unit(unit)) || word == "kelvin" || word == "volt";
+  return std::find(plain.begin(), plain.end(), unit) != plain.end() || word == "kelvin" || word == "volt" ||
+         word == "volts" || word == "watt" || word == "watts" || word == "ampere" || word == "amperes";
 }
 
 /// Of columns in a comment as well: "# time_ms P_mW".
@@ -128,9 +144,9 @@ TimeTable read_profile(TomlTable& table, const TomlValue& file) {
                         stated ? std::nullopt : std::optional(fallback));
   };
   const std::size_t time = column("time", 0), value = column("value", 1);
-  require_unit(rows, time, unit_of_time, is_second, "times must be in s");
+  require_unit(rows, time, unit_of_time, of_times, is_second, "times must be in s");
   if (!table.find("scale"))
-    require_unit(rows, value, unit_of_value, is_unit_of_value,
+    require_unit(rows, value, unit_of_value, of_values, is_unit_of_value,
                  "values must be in K, V, W or A; or give scale, by which they are multiplied");
   TimeTable out;
   std::vector<std::size_t> line;
