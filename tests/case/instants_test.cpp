@@ -47,6 +47,27 @@ TEST_F(Instants, OfProfilesAreRefusedAtTheirLine) {
   refuses("{ file = \"p.csv\" }", "p.csv:3: the instant 1e+41 s");
 }
 
+/// Epoch seconds, or milliseconds: the run would see one value, and nobody would know.
+TEST_F(Instants, ThatTheRunNeverReachesAreWarnedOf) {
+  const auto said = [&](const std::string& value) {
+    std::string all;
+    for (const auto& warning : load(value).warnings) all += warning + "\n";
+    return all;
+  };
+  EXPECT_NE(said("{ times = [1700000000, 1700000010], values = [300, 400] }")
+                .find("holds from 1700000000 to 1700000010 s, and the run goes from 0 to 2 s: nothing in it "
+                      "changes, it stays at 300"),
+            std::string::npos);
+  EXPECT_NE(said("{ times = [-5, -1], values = [300, 400] }").find("it stays at 400"), std::string::npos);
+  EXPECT_NE(said("{ times = [3, 4], values = [300, 400], outside = \"zero\" }").find("it stays at 0"),
+            std::string::npos);
+  for (const char* table :
+       {"{ times = [1, 5], values = [300, 400] }", "{ times = [2, 2], values = [300, 400] }",
+        "{ times = [7], values = [300] }", "{ times = [7, 9], values = [300, 300] }",
+        "{ times = [7, 8], values = [300, 400], period = 3 }"})
+    EXPECT_EQ(said(table).find("nothing in it changes"), std::string::npos) << table;
+}
+
 TEST_F(Instants, OfOutputsAndTheEndAreRefusedAtTheirLine) {
   refuses("1.0", "case.toml:1: key 't_end' is 1e-41; the end 1e-41 s is beyond", "t_end = 1e-41\n");
   refuses("1.0", "case.toml:2: key 'output_times'", "t_end = 1\noutput_times = [1e-300, 1]\n");

@@ -20,6 +20,19 @@ void warn_outside(std::vector<std::string>& out, const char* what, double smalle
   if (largest > high) say("largest", largest);
 }
 
+/// A table of time of which the run sees one value: times of another origin, or in another unit.
+void warn_of_times(const FieldScene& field, double t_end, std::vector<std::string>& out) {
+  for (const auto& table : field.graph.tables) {
+    const bool is_late = table.time.front() > t_end, is_early = table.time.back() <= 0;
+    if (!(is_late || is_early) || table.lowest() == table.highest()) continue;
+    out.push_back(fmt::format(
+        "a table of time of the {} holds from {:.10g} to {:.10g} s, and the run goes from 0 to {:.10g} s: "
+        "nothing in it changes, it stays at {:.6g}; are its times counted from the start of the run, in s?",
+        field.name, table.time.front(), table.time.back(), t_end,
+        is_late ? table.value.front() : table.value.back()));
+  }
+}
+
 }  // namespace
 
 void add_warnings(const std::vector<std::string>& more, std::vector<std::string>& all) {
@@ -61,6 +74,7 @@ std::vector<std::string> range_warnings(const Scene& scene) {
                       "what is slow: look at the answer with --verify",
                       exchanges));
   }
+  for (const auto& field : scene.fields) warn_of_times(field, scene.t_end, out);
   for (const auto& field : scene.fields)
     if (field.adrift_clusters > 0 && !field.steady)
       out.push_back(fmt::format("{} without a fixed {} {}; what enters {} stays",
