@@ -129,6 +129,20 @@ TEST_F(Inputs, BadProfilesSayWhatIsWrong) {
       << "two columns need no names";
 }
 
+/// Two surroundings of one particle see parts of its surface, which are no more than all of it.
+TEST_F(Inputs, EmissivitiesOfAParticleAddUpToNoMoreThanOne) {
+  write_row();
+  const auto with = [&](const char* second) {
+    return row_case(
+        fmt::format("initial = 300\nradiation = [ {{ where = \"all\", emissivity = 0.7, ambient = 300 }}, "
+                    "{{ where = {{ ids = [2] }}, emissivity = {}, ambient = 400 }} ]",
+                    second));
+  };
+  EXPECT_EQ(load(with("0.3")).fields[0].graph.radiation.size(), 5U);
+  expect_refused(with("0.4"),
+                 "particle 2 is in an earlier selection, too, and would radiate with an emissivity of 1.1");
+}
+
 /// Held values follow nothing: what feeds held particles alone is a mistake that no result shows.
 TEST_F(Inputs, WhatFeedsFixedParticlesAloneIsWarnedOf) {
   write_row();

@@ -124,6 +124,8 @@ void require_kelvin_everywhere(const TomlValue& at, const Graph& graph, bool col
 }
 
 void read_radiation(TomlTable& table, const PackingInput& input, Graph& graph, Notes& notes) {
+  constexpr double most = 1 + 1e-12;                      // parts of a surface add up to 1 with roundings
+  std::vector<double> emissivity_of(graph.nodes(), 0.0);  // towards all surroundings together
   for_entries(table, "radiation", [&](TomlTable& entry, const TomlValue& where) {
     const auto emissivity = entry.require("emissivity", "it lies between 0 and 1");
     if (!(emissivity.number() >= 0 && emissivity.number() <= 1))
@@ -133,6 +135,12 @@ void read_radiation(TomlTable& table, const PackingInput& input, Graph& graph, N
     const auto kelvin = entry.find("kelvin");
     require_kelvin_everywhere(at, graph, kelvin && kelvin->boolean(), ambient);
     for_fed(where, input, graph, notes, [&](std::size_t k) {
+      emissivity_of[k] += emissivity.number();
+      if (emissivity_of[k] > most)
+        where.reject(fmt::format(
+            "particle {} is in an earlier selection, too, and would radiate with an emissivity of "
+            "{:.6g}; the emissivities of a particle add up and must not exceed 1",
+            input.scene.packing.id[k], emissivity_of[k]));
       graph.radiation.push_back(
           {static_cast<std::int32_t>(k),
            emissivity.number() * stefan_boltzmann * surface_area(input.scene.packing.radius[k]),

@@ -37,7 +37,7 @@ void list_field_keys(KeyList& keys) {
   keys.in("thermal", particles);
   keys.list("radiation", CaseKey::table, "particles that radiate").may_be_empty = true;
   keys.in("thermal.radiation[]", particles).where("where");
-  keys.number("emissivity", part, "", "of the surface");
+  keys.number("emissivity", part, "", "of the surface; of a particle they add up, to 1 at most");
   keys.amount("ambient", "K", "of the surroundings, in kelvin");
   keys.boolean("kelvin", "false", "temperatures below 100 really are kelvin");
 
