@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bench/harness/reference_pair.hpp"
+#include "bench/harness/verification.hpp"
 #include "bench/measure/metrics.hpp"
 #include "core/text/number.hpp"
 
@@ -59,7 +60,8 @@ RunCheck check_run(const Scene& scene, const MethodSpec& spec, const RunResult& 
   check.spans = other.spans;
   check.cpu_seconds = other.cpu_pilot + other.cpu_prepare + other.cpu_stepping;
   for (std::size_t f = 0; f < fields.size(); ++f) {
-    const double allowed = rtol > 0 && f < check.spans.size() ? rtol * check.spans[f] : 0;
+    const bool asked = rtol > 0 && f < check.spans.size();
+    const double allowed = asked ? allowed_error(scene, fields[f], rtol, check.spans[f]) : 0;
     check.delivered.push_back(allowed > 0 ? std::optional(check.distance[f] / allowed) : std::nullopt);
   }
   return check;
@@ -71,7 +73,8 @@ Outcome judge_check(const Scene& scene, const RunCheck& check) {
   const auto fields = scene.rhs->fields();
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const bool beyond = check.delivered[f] && *check.delivered[f] > times_tolerance;
-    if (!beyond && !(check.distance[f] > part_of_span * check.spans[f])) continue;
+    const double most = allowed_error(scene, fields[f], part_of_span, check.spans[f]);
+    if (!beyond && !(check.distance[f] > most)) continue;
     return {Status::inaccurate,
             fmt::format("the {} is {:.3g} {} rms away from that of {}; take shorter steps or "
                         "a tighter tolerance",

@@ -33,15 +33,14 @@ Number balance_of(const Scene& scene, std::size_t f, std::span<const double> las
   return balance(reference.inflow, stored(field, capacities, scene.initial, last), scale);
 }
 
-/// What a tolerance allows a field: not less than a hundred roundings of its values [K or V].
+}  // namespace
+
 double allowed_error(const Scene& scene, const FieldView& field, double rtol, double span) {
   constexpr double roundings = 100;
   const FieldScene& described = scene_field(scene, field.name);
   const double magnitude = std::max(std::abs(described.low), std::abs(described.high)) + span;
   return std::max(rtol * span, roundings * std::numeric_limits<double>::epsilon() * magnitude);
 }
-
-}  // namespace
 
 OutputErrors::OutputErrors(const Scene& scene, const Reference* reference)
     : scene_(scene), reference_(reference), errors_(scene.rhs->fields().size()) {

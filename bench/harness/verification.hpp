@@ -51,6 +51,9 @@ class OutputErrors {
                                   const Reference* reference, const std::atomic<bool>* stop,
                                   Progress* progress, const RunLimits& limits = {});
 
+/// What a tolerance allows a field: not less than a hundred roundings of its values [K or V].
+[[nodiscard]] double allowed_error(const Scene& scene, const FieldView& field, double rtol, double span);
+
 /// What a method delivered over what was asked for [-]; empty where the reference is not known well enough to
 /// tell whether that is within ten times the tolerance.
 ///   rms      distance to the reference; bar  by how much the reference itself may be off; allowed  what was

@@ -90,6 +90,32 @@ TEST_F(RodRun, IsCheckedOnlyByWhatIsMoreAccurate) {
   }
 }
 
+/// Where nothing happens, two methods differ by roundings, which are no part of a span.
+TEST(ASceneAtRest, IsNotInaccurateByItsRoundings) {
+  const CaseFolder folder;
+  folder.write("row.csv", "id,x,y,z,r\n1,0,0,0,1e-3\n2,0,0,1.9e-3,1e-3\n3,0,0,3.8e-3,1e-3\n");
+  const std::string whole = "t_end = 1.0\n[packing]\nfile = \"row.csv\"\n[contact]\nneck = \"hertz\"\n";
+  const Scene scene = load_scene(folder.write(
+      "case.toml", whole + "[material]\ndensity = 5000\n[thermal]\nspecific_heat = 500.0\ninitial = 300.0\n"
+                           "conductivity = { law = \"linear\", value = 20.0, coefficient = 1e-4, "
+                           "reference = 300.0 }\n"
+                           "fixed = [ { where = { ids = [1] }, value = 300.0 } ]\n"));
+  const std::atomic<bool> stop{false};
+  Progress silent(false);
+  const RunResult result = run_one(scene, "rkc:rtol=1e-3", {});
+  ASSERT_TRUE(result.outcome.ok()) << result.outcome.reason;
+  const auto judged = [&](double off) {
+    std::vector<double> state = scene.initial;
+    for (double& value : state) value += off;
+    const std::vector<std::vector<double>> states(scene.output_times.size(), state);
+    const RunCheck check = check_run(scene, "rkc:rtol=1e-3", result, states, stop, silent, {});
+    EXPECT_TRUE(check.outcome.ok()) << check.outcome.reason;
+    return judge_check(scene, check);
+  };
+  EXPECT_TRUE(judged(1e-12).ok()) << judged(1e-12).reason;  // eighteen roundings of 300 K
+  EXPECT_EQ(judged(1e-3).status, Status::inaccurate);
+}
+
 /// A steady potential alone is solved for as the case is read: no method has anything to do.
 TEST(SteadyPotentialAlone, HasNoRunToCheckAndNoErrorToMeasureWorkAgainst) {
   const CaseFolder folder;
