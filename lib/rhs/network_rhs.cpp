@@ -116,6 +116,12 @@ double NetworkRhs::spectral_bound(double t, std::span<const double> y) {
   return bound_ + radius_beyond_blocks(t, y);
 }
 
+std::optional<std::string> NetworkRhs::law_violation(std::span<const double> y, double slack) {
+  if (!facts_.radiates) return std::nullopt;
+  const auto violation = field_->radiation_violation(y, slack);
+  return reduction().among() ? reduction().among()->first_of(violation) : violation;
+}
+
 double NetworkRhs::radius_beyond_blocks(double /*t*/, std::span<const double> y) const {
   return field_->radiation_slope(y);
 }

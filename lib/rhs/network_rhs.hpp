@@ -3,6 +3,8 @@
 /// Linear unless it radiates.
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "rhs/kernels/field_operator.hpp"
 #include "rhs/kernels/jacobian_assembly.hpp"
@@ -27,6 +29,8 @@ class NetworkRhs final : public Rhs {
     return field_->conduction_inflow(v);
   }
   [[nodiscard]] double radius_beyond_blocks(double t, std::span<const double> y) const override;
+  [[nodiscard]] std::optional<std::string> law_violation(std::span<const double> y,
+                                                         double slack = 0) override;
 
   [[nodiscard]] std::vector<InputShape> input_shapes() const override { return field_->input_shapes(); }
   void enter(double begin, double end) override { field_->enter(begin, end); }

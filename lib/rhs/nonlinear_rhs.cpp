@@ -268,7 +268,7 @@ double NonlinearRhs::linear_inflow(std::span<const double> v) const {
 }
 
 std::optional<std::string> NonlinearRhs::law_violation(std::span<const double> y, double slack) {
-  const bool limited = (thermal_conductivity_ && thermal_conductivity_->limited()) ||
+  const bool limited = radiates_ || (thermal_conductivity_ && thermal_conductivity_->limited()) ||
                        (electric_conductivity_ && electric_conductivity_->limited());
   if (!limited) return std::nullopt;
   const auto violation = violation_here(y, slack);
@@ -285,7 +285,7 @@ std::optional<std::string> NonlinearRhs::violation_here(std::span<const double> 
         fmt::format("the temperature of node {} has reached", id_.empty() ? node : id_[at(node)]);
     return conductivity->law_of_slot(*slot).explain(what, temperature[*slot]);
   }
-  return std::nullopt;
+  return thermal_->radiation_violation(temperature, slack);
 }
 
 OneWayCoupling* NonlinearRhs::one_way() {

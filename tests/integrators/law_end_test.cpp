@@ -61,6 +61,49 @@ TEST_P(AtTheEndOfALaw, ASolutionThatRunsAlongItIsIntegrated) {
   EXPECT_TRUE(run.outcome.ok()) << run.outcome.reason;
 }
 
+/// Ten spheres in a row that radiate, all of them free.
+///   rest  of [thermal]
+Scene radiating_row(const test::TemporaryFolder& folder, const std::string& rest) {
+  std::string packing = "id,x,y,z,radius\n";
+  for (int k = 0; k < 10; ++k) packing += fmt::format("{},{},0,0,0.5\n", k, 0.98 * k);
+  folder.write("row.csv", packing);
+  return load_scene(folder.write(
+      "case.toml",
+      "t_end = 5.0\n[packing]\nfile = \"row.csv\"\nlength_unit = \"mm\"\n[material]\ndensity = 2500.0\n"
+      "[contact]\nneck = \"hertz\"\n[thermal]\nspecific_heat = 500.0\n" +
+          rest));
+}
+
+TEST_P(AtTheEndOfALaw, ASinkThatTakesMoreThanThereIsEndsWhereRadiationHasNoMeaning) {
+  const test::TemporaryFolder folder;
+  // With a constant conductivity, and with a law: two right-hand sides.
+  for (const char* conductivity :
+       {"50.0", "{ law = \"linear\", value = 50.0, coefficient = -1e-6, reference = 300.0 }"}) {
+    const Scene scene = radiating_row(
+        folder, fmt::format("conductivity = {}\ninitial = 300.0\n"
+                            "source = [ {{ where = {{ ids = [5] }}, value = -1.0 }} ]\n"
+                            "radiation = [ {{ where = \"all\", emissivity = 0.8, ambient = 300.0 }} ]\n",
+                            conductivity));
+    const RunResult run = run_one(scene, GetParam(), {});
+    if (run.outcome.status == Status::refused) return;
+    EXPECT_EQ(run.outcome.status, Status::failed) << run.outcome.reason;
+    EXPECT_NE(run.outcome.reason.find("radiation needs temperatures >= 0 K"), std::string::npos)
+        << run.outcome.reason;
+  }
+}
+
+/// Explicit methods pass below 0 K for a moment, by a little.
+TEST_P(AtTheEndOfALaw, ColdBodiesThatRadiateAreIntegrated) {
+  const test::TemporaryFolder folder;
+  const Scene scene = radiating_row(
+      folder,
+      "conductivity = 50.0\ninitial = 0.0\nfixed = [ { where = { ids = [0] }, value = 900.0 } ]\n"
+      "radiation = [ { where = \"all\", emissivity = 0.8, ambient = 0.0, kelvin = true } ]\n");
+  const RunResult run = run_one(scene, GetParam(), {});
+  if (run.outcome.status == Status::refused) return;
+  EXPECT_TRUE(run.outcome.ok()) << run.outcome.reason;
+}
+
 /// Eighty million times the conductance within half a millikelvin: the step falls by as much at once, over
 /// more trials than the seven after which ARKODE gives up by itself.
 TEST(InsideALaw, AJumpIsPassedByArkode) {

@@ -1,5 +1,7 @@
 #include "rhs/kernels/field_operator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -201,6 +203,21 @@ double FieldOperator::conduction_inflow(std::span<const double> v) const {
   RowSum sum;
   for (const auto& edge : network_.ghost_edges) sum.add(at(edge.row), -edge.conductance * v[at(edge.row)]);
   return network_.among() ? network_.among()->sum(sum.exact()) : sum.exact().value();
+}
+
+std::optional<std::string> FieldOperator::radiation_violation(std::span<const double> y, double slack) const {
+  // Up to there T^4 is nothing beside that of the surroundings, and a method may pass below for a moment.
+  constexpr double share = 0.1, least = 10;  // K
+  const double depth = std::max({slack, share * facts_.ambient.magnitude(), least});
+  for (const auto& radiation : radiation_) {
+    const double temperature = y[at(radiation.row)];
+    if (temperature < -depth)
+      return fmt::format(
+          "the temperature of a node that radiates has reached {:.6g} K, and radiation needs temperatures "
+          ">= 0 K; either a source takes more heat than there is, or steps are too long for the method",
+          temperature);
+  }
+  return std::nullopt;
 }
 
 double FieldOperator::radiation_slope(std::span<const double> y) const {

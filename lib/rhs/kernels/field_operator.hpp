@@ -4,6 +4,8 @@
 /// Source: Rojek & Nisar 2026, eqs 1, 3 and 5. What a scene does not have costs nothing: its list is empty.
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "network/network.hpp"
@@ -94,6 +96,8 @@ class FieldOperator {
   [[nodiscard]] const TabledInputs& inputs() const noexcept { return inputs_; }
   /// Largest slope of radiation, 4 r_i |y_i|^3/C_i [1/s].
   [[nodiscard]] double radiation_slope(std::span<const double> y) const;
+  /// Says that a row which radiates is so far below 0 K that its fourth power counts; see Rhs::law_violation.
+  [[nodiscard]] std::optional<std::string> radiation_violation(std::span<const double> y, double slack) const;
 
   /// Calls add(row, column, value) for every contribution to df/dy [1/s]: several may meet in one place.
   /// Columns of rows that other processes have are all `column_elsewhere`.
