@@ -263,21 +263,6 @@ TEST_F(Inputs, APeriodicDumpIsARing) {
   EXPECT_NE(open.warnings.front().find("periodic along xyz"), std::string::npos);
 }
 
-TEST_F(Inputs, NecksWiderThanTheirParticlesAreSaid) {
-  write_row();
-  const auto warnings = [&](const std::string& radius) {
-    folder_.write("necks.csv", "i,j,radius\n1,2,0.001\n2,3," + radius + "\n3,4,0.001\n");
-    std::string all;
-    for (const auto& one : load(row_case("", "neck = \"given\"\nfile = \"necks.csv\"")).warnings)
-      all += one + "\n";
-    return all;
-  };
-  EXPECT_EQ(warnings("0.0008").find("wider than"), std::string::npos);
-  const auto said = warnings("5");
-  EXPECT_NE(said.find("1 of 3 necks of"), std::string::npos) << said;
-  EXPECT_NE(said.find("the first in line 3: 5 beside a radius of"), std::string::npos) << said;
-}
-
 TEST_F(Inputs, AnUnknownIdIsAnsweredWithThoseThatThereAre) {
   write_row();
   folder_.write("e.txt", "3 7 2\n7 12 2\n");

@@ -95,12 +95,6 @@ void warn_of_wide_necks(const std::string& file, const std::vector<Neck>& necks,
       first->radius / scene.length_unit, std::min(radius(first->i), radius(first->j)) / scene.length_unit));
 }
 
-std::vector<Neck> necks_of(const TomlValue& file, PackingScene& scene) {
-  auto necks = read_named_file(file, [&](const auto& path) { return read_necks(path, scene); });
-  warn_of_wide_necks(file.string(), necks, scene);
-  return necks;
-}
-
 /// The image of j nearest to i, in a periodic cell. Exact where the cell is not much tilted: the images next
 /// to the rounded one are tried as well.
 Image nearest_image(const Packing& packing, std::size_t i, std::size_t j) {
@@ -119,6 +113,36 @@ Image nearest_image(const Packing& packing, std::size_t i, std::size_t j) {
         best = {static_cast<std::int8_t>(a), static_cast<std::int8_t>(b), static_cast<std::int8_t>(c)};
       }
   return best;
+}
+
+/// A neck may bridge a gap, but hardly one as wide as both particles: ids may be those of another packing.
+void warn_of_far_necks(const std::string& file, const std::vector<Neck>& necks, PackingScene& scene) {
+  const auto& packing = scene.packing;
+  const auto distance = [&](const Neck& neck) {
+    const auto i = static_cast<std::size_t>(neck.i), j = static_cast<std::size_t>(neck.j);
+    const Image at = nearest_image(packing, i, j);
+    const Vec3 shift = packing.cell ? packing.cell->shift({at[0], at[1], at[2]}) : Vec3{};
+    return norm(packing.centre[j] + shift - packing.centre[i]);
+  };
+  const auto radii = [&](const Neck& neck) {
+    return packing.radius[static_cast<std::size_t>(neck.i)] +
+           packing.radius[static_cast<std::size_t>(neck.j)];
+  };
+  const auto far = [&](const Neck& neck) { return distance(neck) > 2 * radii(neck); };
+  const auto first = std::find_if(necks.begin(), necks.end(), far);
+  if (first == necks.end()) return;
+  scene.packing.warnings.push_back(fmt::format(
+      "{} of {} necks of {} join particles far from each other, the first in line {}: {:.4g} from centre to "
+      "centre beside radii of {:.4g} together [length_unit]; are its ids those of this packing?",
+      std::count_if(necks.begin(), necks.end(), far), necks.size(), file, first->line,
+      distance(*first) / scene.length_unit, radii(*first) / scene.length_unit));
+}
+
+std::vector<Neck> necks_of(const TomlValue& file, PackingScene& scene) {
+  auto necks = read_named_file(file, [&](const auto& path) { return read_necks(path, scene); });
+  warn_of_wide_necks(file.string(), necks, scene);
+  warn_of_far_necks(file.string(), necks, scene);
+  return necks;
 }
 
 void add_neck(const Packing& packing, const Neck& neck, Contacts& contacts) {
