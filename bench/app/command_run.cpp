@@ -117,7 +117,7 @@ std::string kept_states(const Scene& scene, bool vtk) {
   if (vtk || !scene.own_output_times || scene.output_times.size() < 2) return {};
   return fmt::format(
       "of the states at {} output times final.csv keeps the last; {}the Python module hands out all",
-      scene.output_times.size(), scene.packed || scene.layers ? "--vtk writes all, and " : "");
+      scene.output_times.size(), scene.has_places() ? "--vtk writes all, and " : "");
 }
 
 Command run_from_line(const Arguments& values) {

@@ -8,7 +8,7 @@
 
 #include "bench/host/progress.hpp"
 #include "bench/host/terminal.hpp"
-#include "bench/measure/shared/shared_layers.hpp"
+#include "bench/measure/shared/shared_parts.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/content_hash.hpp"
 #include "core/error.hpp"
@@ -65,7 +65,7 @@ LoadedCase load_checked_case(const std::string& file, bool quiet) {
 LoadedCase load_case_to_run(const std::string& file, bool quiet) {
   const double begin = process_cpu_seconds();
   TomlTable root = parse_case(file);
-  auto scene = share_layers(file, quiet);
+  auto scene = share_in_parts(file, quiet);
   if (!scene) return load(std::move(root), begin, quiet);
   LoadedCase one{.content = std::move(*scene)};
   one.cpu_setup = process_cpu_seconds() - begin;

@@ -18,7 +18,7 @@ ProbeSet::ProbeSet(const Scene& scene) {
   for (std::size_t f = 0; f < scene.fields.size(); ++f) {
     const auto& field = scene.fields[f];
     if (field.steady && scene.moving_potential) continue;  // it is known at output times only
-    const auto initial = scene.layers ? known_values(field) : scene.values_on_nodes(f, 0.0, scene.initial);
+    const auto initial = scene.own_nodes ? known_values(field) : scene.values_on_nodes(f, 0.0, scene.initial);
     for (const auto& probe : scene.probes) {
       ProbeColumn column{.name = field.name + "_" + probe.label,
                          .field = field.name,
@@ -29,8 +29,8 @@ ProbeSet::ProbeSet(const Scene& scene) {
       if (const auto entry = scene.entry_of_node(f, probe.node); entry >= 0) {
         column.slot = static_cast<std::ptrdiff_t>(entries_.size());
         entries_.push_back(static_cast<std::size_t>(entry));
-        initial_.push_back(scene.layers ? column.initial - field.origin
-                                        : scene.initial[static_cast<std::size_t>(entry)]);
+        initial_.push_back(scene.own_nodes ? column.initial - field.origin
+                                           : scene.initial[static_cast<std::size_t>(entry)]);
       }
       columns_.push_back(std::move(column));
     }

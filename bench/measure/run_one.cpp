@@ -99,7 +99,7 @@ Outcome run_alone(const Scene& scene, Plan plan, Integrator& method, const RunRe
 Outcome run_gathered(const Scene& scene, Plan plan, Integrator& method, const RunRequest& request,
                      std::function<void()> stepping_begins, const std::string& why, RunResult& result) {
   constexpr std::size_t most = 2'000'000;  // unknowns: some GB of factors
-  if (scene.layers)
+  if (scene.own_nodes)
     return {Status::refused,
             fmt::format(
                 "{}, and the scene is one of which nobody has the whole; take another method, or start the "

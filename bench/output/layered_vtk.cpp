@@ -54,7 +54,7 @@ void take_contacts(const ReadLayers& read, const LayeredNodes& nodes, std::int64
 
 /// Layer by layer, each with the next one, which its contacts reach.
 Piece read_piece(const Scene& scene, std::span<const double> state) {
-  LayeredNodes& nodes = *scene.layers;
+  LayeredNodes& nodes = LayeredNodes::of(scene);
   const LayerSource& source = nodes.source();
   const double origin = scene.fields.front().origin;
   Piece piece;
@@ -134,7 +134,7 @@ void everybodys(const Work& work) {
 
 void write_layered_frame(const Scene& scene, const std::string& folder, std::size_t frame, double t,
                          std::span<const double> state) {
-  const LayeredNodes& nodes = *scene.layers;
+  const LayeredNodes& nodes = LayeredNodes::of(scene);
   const std::string& field = scene.fields.front().name;
   Piece piece;
   everybodys([&] { piece = read_piece(scene, state); });

@@ -7,7 +7,7 @@
 
 #include "bench/host/machine.hpp"
 #include "bench/measure/scene_facts.hpp"
-#include "bench/measure/shared/layered_lines.hpp"
+#include "bench/measure/shared/part_lines.hpp"
 #include "bench/output/output_folder.hpp"
 #include "bench/output/snapshot_files.hpp"
 #include "case/checks/effective.hpp"
@@ -47,16 +47,21 @@ void append_probes(std::string& out, const ProbeSet& probes, const ProbeHistory&
   append(out, "\n");
 }
 
-constexpr std::string_view layered_head = "id,x,y,z,r,temperature\n";
+std::string head_of_values(const Scene& scene) {
+  std::string head = "id";
+  if (scene.has_places()) head += ",x,y,z,r";
+  for (const std::size_t f : field_order(scene)) append(head, ",{}", scene.fields[f].name);
+  return head + "\n";
+}
 
 /// By all processes at once where they can reach the file, else through the root.
 void write_final_file(const std::string& path, const Scene& scene, double t, std::span<const double> state) {
   const auto together = [&](const std::string& temporary) {
-    const auto [reached, failure] = write_layered_lines(scene, state, layered_head, temporary);
+    const auto [reached, failure] = write_part_lines(scene, state, head_of_values(scene), temporary);
     if (failure) throw write_error(path, *failure);
     return reached;
   };
-  if (scene.layers && fill_file_atomically(path, together)) return;
+  if (scene.own_nodes && fill_file_atomically(path, together)) return;
   write_file_atomically(path, [&](const PieceWriter& write) { write_final_csv(scene, t, state, write); });
 }
 
@@ -79,20 +84,16 @@ std::optional<SteadyCurrent> steady_current(const Scene& scene, const RunResult&
 void write_final_csv(const Scene& scene, double t, std::span<const double> state, const PieceWriter& write) {
   constexpr std::size_t piece = std::size_t{1} << 20;  // bytes
   std::string out;
-  if (scene.layers) {
-    write(layered_head);
-    return for_layered_lines(scene, state, write);
+  if (scene.own_nodes) {
+    write(head_of_values(scene));
+    return for_part_lines(scene, state, write);
   }
   if (scene.packed && scene.packed->packing.cell && scene.packed->packing.cell->is_periodic())
     append(out, "{}",
            cell_comment(*scene.packed->packing.cell));  // so that it reads back with the same contacts
-  append(out, "id{}", scene.packed ? ",x,y,z,r" : "");
+  out += head_of_values(scene);
   std::vector<std::vector<double>> values;
-  for (const std::size_t f : field_order(scene)) {
-    append(out, ",{}", scene.fields[f].name);
-    values.push_back(scene.values_on_nodes(f, t, state));
-  }
-  append(out, "\n");
+  for (const std::size_t f : field_order(scene)) values.push_back(scene.values_on_nodes(f, t, state));
   const auto& ids = scene.fields.front().graph.id;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     append(out, "{}", ids[i]);

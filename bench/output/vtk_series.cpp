@@ -26,7 +26,7 @@ const Scene& with_packing(const Scene& scene) {
 }  // namespace
 
 void require_packing(const Scene& scene, const std::string& option) {
-  if (scene.packed || scene.layers) return;
+  if (scene.has_places()) return;
   throw InputError(
       fmt::format("{}: {} needs particles with positions, and this case gives its network directly; leave "
                   "{} out",
@@ -39,12 +39,12 @@ VtkSeries::VtkSeries(const Scene& scene, const std::string& folder)
 }
 
 void VtkSeries::add(double t, std::span<const double> state) {
-  if (scene_.layers) return frames_.add_shared(t);
+  if (scene_.own_nodes) return frames_.add_shared(t);
   frames_.add(particles(t, state), contacts(t, state));
 }
 
 std::string VtkSeries::folder_of_pieces() const {
-  return scene_.layers ? folder_ : "";
+  return scene_.own_nodes ? folder_ : "";
 }
 
 VtkPolyData VtkSeries::particles(double t, std::span<const double> state) const {

@@ -34,13 +34,14 @@ bool varies(const FieldScene& field) {
 
 /// Rows that stand in the order of the nodes are all free ones: who has a part of them cannot know in which
 /// clusters nothing happens, and rows would be others.
-void integrate_idle_clusters(RoleReport& report) {
+void integrate_idle_clusters(const FieldScene& field, RoleReport& report) {
   std::replace(report.roles.begin(), report.roles.end(), NodeRole::idle, NodeRole::free);
+  for (const auto& eliminated : field.algebraic) report.roles[at(eliminated.node)] = NodeRole::idle;
   report.floating += std::exchange(report.idle_clusters, 0);
 }
 
 std::vector<char> apply_roles(RoleReport report, FieldScene& field) {
-  if (field.in_order && !field.steady) integrate_idle_clusters(report);
+  if (field.in_order && !field.steady) integrate_idle_clusters(field, report);
   field.roles = std::move(report.roles);
   field.components = report.components;
   field.idle_clusters = report.idle_clusters;
@@ -77,11 +78,8 @@ void set_range(double t_end, FieldScene& field) {
   }
 }
 
-/// Where a field acts through differences alone, its values are counted from the one nearest to 0: digits
-/// that all values share would be lost in every difference, and 20 and 293.15 would not give the same steps.
 void set_origin(FieldScene& field) {
-  if (!field.graph.radiation.empty()) return;
-  field.origin = field.low > 0 ? field.low : std::min(field.high, 0.0);
+  if (field.graph.radiation.empty()) field.origin = origin_of(field.low, field.high);
 }
 
 /// Values of the nodes that are not rows of the network.
@@ -285,11 +283,11 @@ void list_skips(Scene& scene) {
   const FieldScene* electric = find_field(scene, "potential");
   const FieldScene* thermal = find_field(scene, "temperature");
   for (const auto& field : scene.fields) list_field_skips(field, scene.fields.size() == 1, scene);
-  if (scene.fields.front().in_order) scene.skips.push_back(order_skip());
+  if (scene.fields.front().in_order) scene.skips.push_back(order_skip(scene.packed.has_value()));
   if (!electric) scene.skips.push_back(electric_skip());
-  if (!thermal) scene.skips.push_back({"temperature field", "the case has no [thermal]"});
+  if (!thermal) scene.skips.push_back(thermal_skip());
   if (!scene.packed) {
-    scene.skips.push_back({"neighbour search and necks", "the network is given directly"});
+    scene.skips.push_back(search_skip());
     return;
   }
   for (const auto& field : scene.fields) list_term_skips(field, scene);
@@ -298,6 +296,10 @@ void list_skips(Scene& scene) {
 }
 
 }  // namespace
+
+double origin_of(double low, double high) noexcept {
+  return low > 0 ? low : std::min(high, 0.0);
+}
 
 NonlinearInput nonlinear_input(const Scene& scene) {
   NonlinearInput input;

@@ -18,6 +18,11 @@ struct Coupling {
 /// lists what is skipped. Throws InputError, beginning with `where`.
 void build_rhs(const std::string& where, const Coupling& coupling, Scene& scene);
 
+/// Where a field acts through differences alone, its values are counted from the one nearest to 0: digits
+/// that all values share would be lost in every difference, and 20 and 293.15 would not give the same steps.
+///   low, high  range of its values
+[[nodiscard]] double origin_of(double low, double high) noexcept;
+
 /// What the scene's right-hand side was built from, a NonlinearRhs that solves for no potential. Points into
 /// the scene.
 [[nodiscard]] NonlinearInput nonlinear_input(const Scene& scene);

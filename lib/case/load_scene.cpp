@@ -4,11 +4,11 @@
 #include "case/checks/law_ranges.hpp"
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/warnings.hpp"
-#include "case/layers/layered_scene.hpp"
 #include "case/materials.hpp"
 #include "case/memory/case_data.hpp"
 #include "case/network/read_network_scene.hpp"
 #include "case/packed/assign_materials.hpp"
+#include "case/parts/own_nodes.hpp"
 #include "case/probe.hpp"
 #include "case/read_field.hpp"
 #include "case/read_packing_scene.hpp"
@@ -142,11 +142,15 @@ Scene load_scene(TomlTable root, const CaseData& data) {
 }
 
 std::size_t Scene::nodes() const noexcept {
-  return layers ? at(layers->source().nodes()) : fields.front().graph.nodes();
+  return own_nodes ? at(own_nodes->nodes()) : fields.front().graph.nodes();
 }
 
 std::size_t Scene::edges() const noexcept {
-  return layers ? at(layers->edges) : fields.front().graph.edges();
+  return own_nodes ? at(own_nodes->edges) : fields.front().graph.edges();
+}
+
+bool Scene::has_places() const noexcept {
+  return packed || (own_nodes && own_nodes->are_spheres());
 }
 
 std::vector<double> Scene::values_on_nodes(std::size_t field, double t, std::span<const double> state) const {

@@ -20,7 +20,7 @@
 
 namespace superstep {
 
-class LayeredNodes;
+class OwnNodes;
 
 /// A node whose history is recorded: an entry of the state, or a constant (fixed and idle nodes).
 struct Probe {
@@ -82,7 +82,7 @@ struct FieldScene {
 struct Scene : CaseHead {
   /// Where processes build a scene together: the nodes that are here. Then the graph holds the probed nodes
   /// alone, and the right-hand side and its initial state are those of this process.
-  std::shared_ptr<LayeredNodes> layers;
+  std::shared_ptr<OwnNodes> own_nodes;
   std::string content_hash;  ///< of the case and its data files; empty = nobody asked
   std::optional<PackingScene> packed;
   std::vector<FieldScene> fields;
@@ -98,6 +98,8 @@ struct Scene : CaseHead {
 
   [[nodiscard]] std::size_t nodes() const noexcept;
   [[nodiscard]] std::size_t edges() const noexcept;  ///< contacts, of one field
+  /// True where nodes are spheres.
+  [[nodiscard]] bool has_places() const noexcept;
   /// Values of one field at time t on all nodes in the user's order [nodes]: computed, fixed and idle ones.
   [[nodiscard]] std::vector<double> values_on_nodes(std::size_t field, double t,
                                                     std::span<const double> state) const;

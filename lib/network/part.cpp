@@ -8,20 +8,19 @@ namespace superstep {
 namespace {
 
 /// Rows that own rows have for neighbours and others have.
-std::vector<std::int64_t> rows_beyond(const Network& whole, const Partition& partition) {
+std::vector<std::int64_t> rows_beyond(const Network& whole, const IndexRange& rows) {
   std::vector<std::int64_t> halo;
-  const auto begin = at(whole.row_begin[at(partition.begin())]),
-             end = at(whole.row_begin[at(partition.end())]);
+  const auto begin = at(whole.row_begin[at(rows.begin)]), end = at(whole.row_begin[at(rows.end)]);
   for (std::size_t k = begin; k < end; ++k)
-    if (!partition.owns(whole.column[k])) halo.push_back(whole.column[k]);
+    if (!rows.holds(whole.column[k])) halo.push_back(whole.column[k]);
   std::sort(halo.begin(), halo.end());
   halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
   return halo;
 }
 
-void take_rows(const Network& whole, const Partition& partition, NetworkPart& part) {
+void take_rows(const Network& whole, const IndexRange& rows, NetworkPart& part) {
   Network& out = part.network;
-  const std::size_t first = at(partition.begin()), owned = partition.owned();
+  const std::size_t first = at(rows.begin), owned = rows.size();
   const std::int64_t begin = whole.row_begin[first];
   for (std::size_t row = 0; row <= owned; ++row)
     out.row_begin.push_back(whole.row_begin[first + row] - begin);
@@ -32,10 +31,9 @@ void take_rows(const Network& whole, const Partition& partition, NetworkPart& pa
   for (std::size_t k = at(begin); k < at(begin) + entries; ++k) {
     const std::int64_t row = whole.column[k];
     const auto place =
-        partition.owns(row)
-            ? row - partition.begin()
-            : static_cast<std::int64_t>(owned) +
-                  (std::lower_bound(part.halo.begin(), part.halo.end(), row) - part.halo.begin());
+        rows.holds(row) ? row - rows.begin
+                        : static_cast<std::int64_t>(owned) +
+                              (std::lower_bound(part.halo.begin(), part.halo.end(), row) - part.halo.begin());
     out.column.push_back(static_cast<std::int32_t>(place));
   }
   const auto rows_of = [&](const auto& values) {
@@ -49,10 +47,10 @@ void take_rows(const Network& whole, const Partition& partition, NetworkPart& pa
 }
 
 /// Ghosts that no own row touches are left behind.
-void take_ghosts(const Network& whole, const Partition& partition, Network& out) {
+void take_ghosts(const Network& whole, const IndexRange& rows, Network& out) {
   std::vector<std::int32_t> ghost_here(whole.ghost_value.size(), -1);
   for (auto edge : whole.ghost_edges) {
-    if (!partition.owns(edge.row)) continue;
+    if (!rows.holds(edge.row)) continue;
     auto& here = ghost_here[at(edge.ghost)];
     if (here < 0) {
       here = static_cast<std::int32_t>(out.ghost_value.size());
@@ -60,18 +58,18 @@ void take_ghosts(const Network& whole, const Partition& partition, Network& out)
       out.ghost_node.push_back(whole.ghost_node[at(edge.ghost)]);
       if (!whole.ghost_table.empty()) out.ghost_table.push_back(whole.ghost_table[at(edge.ghost)]);
     }
-    edge.row -= static_cast<std::int32_t>(partition.begin());
+    edge.row -= static_cast<std::int32_t>(rows.begin);
     edge.ghost = here;
     out.ghost_edges.push_back(edge);
   }
 }
 
 template <class Entry>
-std::vector<Entry> of_own_rows(const std::vector<Entry>& whole, const Partition& partition) {
+std::vector<Entry> of_own_rows(const std::vector<Entry>& whole, const IndexRange& rows) {
   std::vector<Entry> out;
   for (auto entry : whole) {
-    if (!partition.owns(entry.node)) continue;
-    entry.node -= static_cast<std::int32_t>(partition.begin());
+    if (!rows.holds(entry.node)) continue;
+    entry.node -= static_cast<std::int32_t>(rows.begin);
     out.push_back(entry);
   }
   return out;
@@ -112,17 +110,21 @@ void unpack(Unpacker& in, NetworkPart& part) {
   }
 }
 
-NetworkPart part_of(const Network& whole, const Partition& partition) {
+NetworkPart rows_of(const Network& network, const IndexRange& rows) {
   NetworkPart part;
-  part.halo = rows_beyond(whole, partition);
-  take_rows(whole, partition, part);
-  take_ghosts(whole, partition, part.network);
-  part.network.origin = whole.origin;
-  part.network.tabled_apart = whole.tabled_apart;
-  part.network.tables = whole.tables;
-  part.network.tabled_sources = of_own_rows(whole.tabled_sources, partition);
-  part.network.radiation = of_own_rows(whole.radiation, partition);
+  part.halo = rows_beyond(network, rows);
+  take_rows(network, rows, part);
+  take_ghosts(network, rows, part.network);
+  part.network.origin = network.origin;
+  part.network.tabled_apart = network.tabled_apart;
+  part.network.tables = network.tables;
+  part.network.tabled_sources = of_own_rows(network.tabled_sources, rows);
+  part.network.radiation = of_own_rows(network.radiation, rows);
   return part;
+}
+
+NetworkPart part_of(const Network& whole, const Partition& partition) {
+  return rows_of(whole, {partition.begin(), partition.end()});
 }
 
 }  // namespace superstep

@@ -47,6 +47,10 @@ METHODS = {
     "bed_radiating": (SOME, []),
     "bed_driven": (SOME, []),
     "bed_kappa": (SOME, []),
+    "web": (EXPLICIT + EXPONENTIAL + ITERATIVE + ["auto:rtol=1e-4"], []),
+    "web_potential": (SOME, []),
+    "web_listed": (SOME, DIRECT),
+    "web_algebraic": (SOME, DIRECT),
     "hub": (EXPLICIT + EXPONENTIAL + ITERATIVE, DIRECT),
 }
 COUNTS = ["steps", "rejected", "rhs", "jacobians", "factorizations", "solves", "max_stages"]
@@ -159,6 +163,73 @@ def check_layers(runner):
                                  f"instead of {alone.stderr.decode()[-300:]}")
 
 
+def check_wrong(runner, name, texts):
+    """What one process says of files, several say: once, with the line. The last of the files is the case."""
+    for file_name, text in texts.items():
+        with open(f"{runner.folder}/{file_name}", "w") as file:
+            file.write(text)
+    alone, together = (runner.call(processes, ["run", list(texts)[-1]]) for processes in (1, 3))
+    runner.compared += 1
+    if (alone.returncode, together.returncode) != (3, 3) or alone.stderr not in together.stderr or \
+            together.stderr.decode().count("superstep: error: ") != 1:
+        runner.faults.append(f"{name}: exit {alone.returncode} and {together.returncode}: "
+                             f"{together.stderr.decode()[-300:]} instead of {alone.stderr.decode()[-300:]}")
+
+
+def check_parts_of_networks(runner):
+    """The same of tables of nodes and of edges."""
+    texts = []
+    for name in ("web_nodes.csv", "web_edges.csv", "web.toml"):
+        with open(f"{runner.folder}/{name}") as file:
+            texts.append(file.read())
+    nodes, edges, case = texts
+    node, edge = nodes.rstrip().splitlines()[-1], edges.rstrip().splitlines()[-2]
+    capacity, name, initial, fixed, source = node.split(";")
+    i, j, conductance = edge.split(",")
+    middle = edges.splitlines(keepends=True)[len(edges.splitlines()) // 2]
+    for what, wrong in {
+            "an id": nodes + node + "\n", "a number": nodes.replace(f";{name};{initial}", f";{name};2O"),
+            "a capacity": nodes.replace(f"{capacity};{name}", f"-1;{name}"), "a row": nodes + "1;2\n",
+            "a column": nodes.replace("initial", "begin"), "no rows": "".join(nodes.splitlines(keepends=True)[:2]),
+            "an empty file": "",
+            "far too large": nodes.replace(f"{capacity};{name}", f"1e300;{name}"), "an id that is none": nodes.replace(name, "x"),
+            "a fixed value": nodes.replace(f";{fixed};{source}", f";{fixed}K;{source}")}.items():
+        check_wrong(runner, f"nodes with {what}", {"wrong_nodes.csv": wrong, "wrong_edges.csv": edges, "wrong_web.toml":
+                    case.replace("web_", "wrong_")})
+    all_fixed = "id,capacity,source,initial,fixed\n-885,1,0,0,5\n2025,1,0,0,5\n"
+    for what, ends in {"all fixed": "-885,2025", "all fixed and an unknown end": "-885,2026"}.items():
+        check_wrong(runner, f"nodes {what}", {"wrong_nodes.csv": all_fixed, "wrong_edges.csv": f"i,j,conductance\n{ends},1\n",
+                                              "wrong_web.toml": case.replace("web_", "wrong_")})
+    for what, wrong in {
+            "an unknown end": edges + "1,-885,1\n", "another one": edges.replace(middle, middle.replace(",", "1,", 1)),
+            "a loop": edges + f"{i},{i},1\n", "a negative one": edges.replace(conductance, "-1"), "a word": edges + f"{i},{j},large\n",
+            "no column": edges.replace("conductance", "k"), "a column more": edges.replace("conductance", "conductance,k"),
+            "a small one": edges.replace(conductance, "1e-200"), "an empty file": "", "a NUL": edges + "# \0\n"}.items():
+        check_wrong(runner, f"edges with {what}", {"wrong_nodes.csv": nodes, "wrong_edges.csv": wrong, "wrong_web.toml":
+                    case.replace("web_", "wrong_")})
+    for what, wrong in {"a word": case.replace('"file"', '"files"'), "a probe": case.replace("2025", "2026"), "a height": case.replace("2025", '"mid-height"'),
+                        "a key": case + "capacity = 1\n", "a table": case + "[thermal]\n", "a file": case.replace("web_edges", "no_edges"),
+                        "a field": case + 'field = "pressure"\n', "no end": case.replace("t_end", "end")}.items():
+        check_wrong(runner, f"web with {what}", {"wrong_web.toml": wrong})
+    with gzip.open(f"{runner.folder}/web_edges.csv.gz", "wt") as file:
+        file.write(edges)
+    for what, other, why in [("packed", case.replace("edges.csv", "edges.csv.gz"), "of web_edges.csv.gz, it is packed"),
+                             ("of a list", case + "fixed = [ { ids = [-250], value = 1.0 } ]\n", "[network] has fixed"),
+                             ("algebraic", case.replace("web_nodes", "web_algebraic_nodes"), "nodes of capacity 0")]:
+        with open(f"{runner.folder}/other_web.toml", "w") as file:
+            file.write(other)
+        said = runner.call(3, ["run", "other_web.toml", "--out", f"{runner.folder}/said"]).stderr.decode()
+        runner.compared += 1
+        if said.count(f"other_web.toml: process 1 of 3 reads the scene for all: {why}") != 1:
+            runner.faults.append(f"a web that is {what}: {said}")
+    refused = runner.call(3, ["run", "web.toml", "--integrator", "trapezoidal:rtol=1e-2,solver=klu", "--out", f"{runner.folder}/said"])
+    if refused.returncode != 4 or "nobody has the whole" not in refused.stdout.decode():
+        runner.faults.append(f"web by KLU: exit {refused.returncode}: {refused.stdout.decode()}")
+    drawn = [runner.call(processes, ["run", "web.toml", "--vtk", "--out", f"{runner.folder}/said"]) for processes in (1, 3)]
+    if drawn[1].returncode != 3 or drawn[0].stderr not in drawn[1].stderr:
+        runner.faults.append(f"web to be drawn: exit {drawn[1].returncode}: {drawn[1].stderr.decode()}")
+
+
 def check_parts_of_files(runner):
     """A table that processes read together: what is wrong is said as one process says it, with the line; what cannot be
     read in parts gives the same bits, and the reason."""
@@ -182,22 +253,14 @@ def check_parts_of_files(runner):
         "all fixed": case.replace('where = "-y"', 'where = "all"')}
     texts = [(name, text, case) for name, text in wrong_rows.items()] + [(name, rows, text) for name, text in wrong_cases.items()]
     for name, table, text in texts:
-        with open(f"{runner.folder}/wrong_bed.csv", "w") as file:
-            file.write(table)
-        with open(f"{runner.folder}/wrong_bed.toml", "w") as file:
-            file.write(text.replace("bed.csv", "wrong_bed.csv"))
-        alone, together = (runner.call(processes, ["run", "wrong_bed.toml"]) for processes in (1, 3))
-        runner.compared += 1
-        if (alone.returncode, together.returncode) != (3, 3) or alone.stderr not in together.stderr or \
-                together.stderr.decode().count("superstep: error: ") != 1:
-            runner.faults.append(f"bed with {name}: exit {alone.returncode} and {together.returncode}: "
-                                 f"{together.stderr.decode()[-300:]} instead of {alone.stderr.decode()[-300:]}")
+        check_wrong(runner, f"bed with {name}", {"wrong_bed.csv": table,
+                                                 "wrong_bed.toml": text.replace("bed.csv", "wrong_bed.csv")})
     with gzip.open(f"{runner.folder}/bed.csv.gz", "wt") as file:
         file.write(rows)
     with open(f"{runner.folder}/packed_bed.toml", "w") as file:
         file.write(case.replace("bed.csv", "bed.csv.gz"))
     said = runner.call(3, ["run", "packed_bed.toml", "--out", f"{runner.folder}/said"]).stderr.decode()
-    if "packed_bed.toml: process 1 of 3 reads the packing for all: it is packed" not in said:
+    if "packed_bed.toml: process 1 of 3 reads the scene for all: it is packed" not in said:
         runner.faults.append(f"a packed bed: {said}")
     (plain, packed) = (runner.run(scene, SOME, processes) for scene, processes in (("bed", 3), ("packed_bed", 3)))
     for spec in plain:
@@ -254,10 +317,11 @@ def main():
                     runner.compare(scene, processes, threads)
         # One block for all, so that all processes but one have nothing; and fewer blocks than processes.
         for block in ("4096", "512"):
-            for scene in ("linear", "hub"):
+            for scene in ("linear", "hub", "web"):
                 runner.compare(scene, 4, 1, block)
         check_layers(runner)
         check_parts_of_files(runner)
+        check_parts_of_networks(runner)
         check_counters(runner)
         check_errors(runner)
     print(f"{runner.compared} results compared, {len(runner.faults)} faults")

@@ -75,6 +75,18 @@ neck = "hertz"
 """
 
 
+# Every process reads its own parts of two files.
+WEB = """t_end = 3.0
+output_times = [1.0, 3.0]
+probe = [-885, 2025, -900, 3100]
+
+[network]
+nodes = "web_nodes.csv"
+edges = "web_edges.csv"
+order = "file"
+"""
+
+
 def heated_lattice(cells, t_end, early):
     """Held at 400 and 300 K; nobody of several processes has all of it."""
     return (LATTICE.format(t_end=t_end, early=early, cells=cells, diameter=1.02) +
@@ -135,6 +147,39 @@ def write_network(folder):
                 edges.write(f"{k - 1},{k},{1 + 0.3 * (k % 5)}\n")
             if k != 444 and k % 3 == 0 and k < 600:
                 edges.write(f"{min(k, 444)},{max(k, 444)},{0.01 + 0.001 * (k % 13)}\n")
+
+
+def write_web(folder, size=1000):
+    """Ids in disorder, edges across all cuts, some of them several times over, pieces without a fixed node, nodes that
+    nothing touches, fixed ones at both ends and in between, and a hub; blank lines and comments between the rows."""
+    draw = 2024
+
+    def random():
+        nonlocal draw
+        draw = (draw * 1103515245 + 12345) % 2**31
+        return draw / 2**31
+
+    names = [(7 * k + 3) % 1009 * 5 - 900 for k in range(size)]  # all different
+    fixed = {0: 10.5, 1: 10.5, 313: 0.0, size - 1: -4.0}
+    with open(f"{folder}/web_nodes.csv", "w") as nodes:
+        nodes.write("# a web\ncapacity;id;initial;fixed;source\n")
+        for k, name in enumerate(names):
+            capacity = 0 if k == 313 else 1 + 0.1 * (k % 7)
+            nodes.write(f"{capacity};{name};{20 + 0.7 * (k % 11)};{fixed.get(k, '')};{0.5 if k % 97 == 3 else 0}\n")
+            nodes.write("" if k % 90 else "\n# and on\n")
+    with open(f"{folder}/web_nodes.csv") as nodes, open(f"{folder}/web_algebraic_nodes.csv", "w") as out:
+        out.write(nodes.read().replace("1.3;-535;", "0;-535;"))
+    edges = [(k, k + 1) for k in range(size - 1) if k % 140 != 7]  # pieces
+    edges += [(k, 500) for k in range(300, 700, 3) if abs(k - 500) > 1]  # a hub
+    edges += [(int(random() * 400), int(random() * 400)) for _ in range(300)]  # of two pieces and more
+    edges += [(k, k - 1) for k in range(2, 100, 9)] * 2  # run parallel
+    lone = set(range(800, 820)) | {3}  # of which one has a source
+    edges = sorted((random(), i, j) for i, j in edges if i != j and not {i, j} & lone)
+    with open(f"{folder}/web_edges.csv", "w") as out:
+        out.write("i,j,conductance\n")
+        for number, (value, i, j) in enumerate(edges):
+            out.write(f"{names[i]},{names[j]},{0 if number % 50 == 7 else 0.01 + 3 * random()!r}\n")
+            out.write("" if number % 77 else "# and on\n")
 
 
 def write_ring(folder, size=896):
@@ -206,6 +251,11 @@ def scenes():
                      'fixed = [ { where = "-y", value = 400.0 } ]\n',
         "hub": 't_end = 3.0\noutput_times = [1.0, 3.0]\nprobe = [444, 899]\n'
                '[network]\nnodes = "nodes.csv"\nedges = "edges.csv"\n',
+        "web": WEB,
+        "web_potential": WEB + 'field = "potential"\n',
+        # Its list of nodes is read by the root for all, and so are its nodes of capacity 0.
+        "web_listed": WEB + 'source = [ { ids = [-250], value = 0.25 } ]\n',
+        "web_algebraic": WEB.replace("web_nodes", "web_algebraic_nodes"),
         "ring": 't_end = 100.0\nprobe = [5]\n[network]\nnodes = "ring_nodes.csv"\nedges = "ring_edges.csv"\n',
     }
     return found
@@ -217,6 +267,7 @@ def write_scenes(folder):
     write_lattice(f"{folder}/lattice.csv")
     write_bed(f"{folder}/bed.csv")
     write_network(folder)
+    write_web(folder)
     write_ring(folder)
     for name, text in scenes().items():
         with open(f"{folder}/{name}.toml", "w") as out:

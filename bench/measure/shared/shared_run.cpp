@@ -137,18 +137,17 @@ void settle_exception(const Outcome& outcome) {
 }
 
 /// Looks at the states of a scene that nobody has as a whole.
-///   layers  what is here of it
-auto layered_observer(const Scene& layers, ScenePart& part, const RunOrder& order,
-                      const RunRequest& request) {
+///   here  what is here of it
+auto observer_of_part(const Scene& here, ScenePart& part, const RunOrder& order, const RunRequest& request) {
   return [&](std::size_t output, double t, std::span<const double> state) {
-    if (!order.frames.empty()) request.write_frame(layers, order.frames, output + 1, t, state);
+    if (!order.frames.empty()) request.write_frame(here, order.frames, output + 1, t, state);
     if (request.observe) return request.observe(output, t, state);  // the root keeps it as it likes
     if (output + 1 == order.plan.output_times.size()) part.final_state.assign(state.begin(), state.end());
   };
 }
 
-///   layers  what is here of a scene that nobody has as a whole
-Outcome take_part_in(ScenePart& part, const Scene* layers, const RunOrder& order, const RunRequest& request,
+///   here  what is here of a scene that nobody has as a whole
+Outcome take_part_in(ScenePart& part, const Scene* here, const RunOrder& order, const RunRequest& request,
                      const std::function<void()>& stepping_begins, RunResult& result) {
   const auto method = make_integrator(order.spec);
   const Traffic traffic = world().traffic();
@@ -164,8 +163,8 @@ Outcome take_part_in(ScenePart& part, const Scene* layers, const RunOrder& order
     plan.history = &result.history;
   }
   std::function<void(std::size_t, double, std::span<const double>)> observe;
-  if (layers)
-    observe = layered_observer(*layers, part, order, request);
+  if (here)
+    observe = observer_of_part(*here, part, order, request);
   else if (order.observed)
     observe = [&](std::size_t output, double t, std::span<const double> state) {
       const auto whole = whole_state(*part.rhs, state);
@@ -177,8 +176,8 @@ Outcome take_part_in(ScenePart& part, const Scene* layers, const RunOrder& order
                .observe = observe,
                .progress = request.progress,
                .stepping_begins = stepping_begins};
-  if (layers && !order.frames.empty())
-    request.write_frame(*layers, order.frames, 0, order.plan.t_begin, part.initial);
+  if (here && !order.frames.empty())
+    request.write_frame(*here, order.frames, 0, order.plan.t_begin, part.initial);
   const RhsCounters before = part.rhs->counters();
   Outcome outcome = run_over(site, *method, result);
   if (result.threw) settle_exception(outcome);
@@ -212,7 +211,7 @@ Outcome run_shared(const Scene& scene, const std::string& spec, const Plan& plan
   try {
     order.plan.reached = plan.reached;
     Outcome outcome =
-        take_part_in(part, part.in_layers ? &scene : nullptr, order, request, stepping_begins, result);
+        take_part_in(part, part.in_parts ? &scene : nullptr, order, request, stepping_begins, result);
     running = false;
     world().watch(nullptr);
     return outcome;
@@ -234,7 +233,7 @@ void join_run(ScenePart& part, Unpacker& in, const WriteFrame& write_frame) {
   try {
     RunRequest request;
     request.write_frame = write_frame;
-    (void)take_part_in(part, part.layered.get(), order, request, {}, result);
+    (void)take_part_in(part, part.scene_here.get(), order, request, {}, result);
   } catch (const NeedsWhole&) {       // the root does it alone
   } catch (const EverybodysError&) {  // the root says it
   }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "bench/measure/shared/shared_layers.hpp"
+#include "bench/measure/shared/shared_parts.hpp"
 #include "bench/measure/shared/worker.hpp"
 #include "case/build_rhs.hpp"
 #include "network/part.hpp"
@@ -109,7 +109,7 @@ bool can_be_shared(const Scene& scene) {
 }
 
 ScenePart share_out(const Scene& scene) {
-  if (scene.layers) return part_of_layers(scene);
+  if (scene.own_nodes) return part_of_own(scene);
   if (const auto* whole = dynamic_cast<const NetworkRhs*>(scene.rhs.get())) {
     const auto& view = whole->fields().front();
     return share(scene, true, [&](int rank) {

@@ -20,9 +20,9 @@ struct ScenePart {
   double entries = 0;                ///< of its networks
   std::uint64_t scene = 0;           ///< identity of the scene's right-hand side, on the root
 
-  bool in_layers = false;           ///< nobody has the whole
-  std::shared_ptr<Scene> layered;   ///< then, but for the root: what this process has
-  std::vector<double> final_state;  ///< and the state at the end of the last run
+  bool in_parts = false;              ///< nobody has the whole
+  std::shared_ptr<Scene> scene_here;  ///< then, but for the root: what this process has
+  std::vector<double> final_state;    ///< and the state at the end of the last run
 };
 
 /// Whether the scene's rows can be shared. Where not, one process has to do all.

@@ -1,9 +1,10 @@
 #include "bench/measure/shared/worker.hpp"
 
 #include "bench/host/interrupt.hpp"
-#include "bench/measure/shared/layered_lines.hpp"
-#include "bench/measure/shared/shared_layers.hpp"
+#include "bench/measure/shared/part_lines.hpp"
+#include "bench/measure/shared/shared_parts.hpp"
 #include "bench/measure/shared/shared_run.hpp"
+#include "case/parts/build_in_parts.hpp"
 #include "core/error.hpp"
 
 namespace superstep {
@@ -19,18 +20,19 @@ int serve_the_root(const WriteFrame& write_frame) {
         part = {};
         part = take_part(in);
         break;
-      case Order::layers:
+      case Order::parts:
         part = {};
         try {
-          part = take_layers(in);
-        } catch (const InputError&) {  // the root's, too, and it says so
+          part = take_in_parts(in);
+        } catch (const NeedsOneReader&) {  // which is the root
+        } catch (const InputError&) {      // the root's, too, and it says so
         }
         break;
       case Order::write_lines:
-        join_layered_lines(part, in);
+        join_part_lines(part, in);
         break;
       case Order::send_lines:
-        send_layered_lines(part);
+        send_part_lines(part);
         break;
       case Order::run:
         join_run(part, in, write_frame);

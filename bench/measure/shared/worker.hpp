@@ -11,10 +11,10 @@
 namespace superstep {
 
 /// First word of what the root sends.
-enum class Order : std::uint8_t { scene, layers, run, write_lines, send_lines, end };
+enum class Order : std::uint8_t { scene, parts, run, write_lines, send_lines, end };
 
 /// Serves the root until it ends. Returns the exit code.
-///   write_frame  of scenes in layers, where the root wishes it
+///   write_frame  of scenes in parts, where the root wishes it
 [[nodiscard]] int serve_the_root(const WriteFrame& write_frame);
 /// On the root, at the end: workers that wait go home; those in the middle of a run are ended, because it is
 /// the root that could not go on.

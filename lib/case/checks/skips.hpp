@@ -13,8 +13,15 @@ namespace superstep {
   return {quantity(nodes, "fixed node") + of_field,
           nodes == 1 ? "its value is known" : "their values are known"};
 }
-[[nodiscard]] inline Skip order_skip() {
-  return {"another order of the rows", "spheres that touch stand near each other already"};
+[[nodiscard]] inline Skip order_skip(bool spheres) {
+  return {"another order of the rows",
+          spheres ? "spheres that touch stand near each other already" : "the case keeps that of its nodes"};
+}
+[[nodiscard]] inline Skip thermal_skip() {
+  return {"temperature field", "the case has no [thermal]"};
+}
+[[nodiscard]] inline Skip search_skip() {
+  return {"neighbour search and necks", "the network is given directly"};
 }
 [[nodiscard]] inline Skip electric_skip() {
   return {"electric field", "the case has no [electric]"};

@@ -69,6 +69,9 @@ void list_common_keys(KeyList& keys) {
   keys.amount("value", "K or V", "the value: a number, or a table of time");
   keys.in("network", CaseKey::network);
   keys.text("field", "what the values are", {"temperature", "potential"}).fallback = "temperature";
+  keys.text("order", "of rows; file: under mpirun each process reads its part of nodes and edges",
+            {"bandwidth", "file"})
+      .fallback = "bandwidth";
   std::vector<std::string> generators;
   for (const auto& generator : network_generators()) generators.push_back(generator.name);
   keys.text("generator", "or a network that is made, the same bits everywhere", generators);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "case/layers/agreed.hpp"
+#include "case/parts/agreed.hpp"
 #include "case/selection.hpp"
 #include "parallel/all_to_all.hpp"
 

@@ -8,16 +8,17 @@
 #include <optional>
 #include <utility>
 
+#include "case/build_rhs.hpp"
 #include "case/checks/number_ranges.hpp"
 #include "case/checks/skips.hpp"
 #include "case/checks/warnings.hpp"
 #include "case/inputs/read_inputs.hpp"
-#include "case/layers/agreed.hpp"
 #include "case/layers/layer_assembly.hpp"
-#include "case/layers/layer_clusters.hpp"
 #include "case/layers/layer_counts.hpp"
 #include "case/layers/layer_probes.hpp"
 #include "case/packed/packing_options.hpp"
+#include "case/parts/agreed.hpp"
+#include "case/parts/part_clusters.hpp"
 #include "core/index.hpp"
 #include "core/memory.hpp"
 #include "network/network_in_order.hpp"
@@ -37,7 +38,7 @@ std::vector<NodeRole> roles_of(const Graph& graph) {
 struct OwnLayers {
   double pair_step = std::numeric_limits<double>::infinity();
   std::uint64_t edges = 0, limited_necks = 0;
-  std::optional<LayerClusters> clusters;  ///< where there may be several
+  std::optional<PartClusters> clusters;  ///< where there may be several
 };
 
 /// A contact is its first sphere's. Of nodes before `first` and from `end` on others count, or an earlier or
@@ -64,7 +65,9 @@ void read_own_layers(const Partition& partition, double origin, LayeredNodes& no
     const std::int64_t from = std::max<std::int64_t>(0, first - 1), to = std::min(last + 1, source.layers());
     ReadLayers read = nodes.reader().read(from, to, true);
     count_contacts(read, nodes, source.nodes_before(first), source.nodes_before(last), own);
-    if (own.clusters) own.clusters->take(read, source.nodes_before(first), source.nodes_before(last));
+    if (own.clusters)
+      own.clusters->take(read.field.graph, {source.nodes_before(first), source.nodes_before(last)},
+                         [&](std::size_t k) { return static_cast<std::int64_t>(k) + read.first_node; });
     Scene checked;
     checked.file = scene.file;
     checked.output_times = scene.output_times;
@@ -104,7 +107,7 @@ void list_warnings(const LayeredNodes& nodes, const LayerFacts& facts, std::uint
 
 void list_skips(const LayerFacts& facts, Scene& scene) {
   if (facts.fixed > 0) scene.skips.push_back(fixed_nodes_skip(facts.fixed, ""));
-  scene.skips.push_back(order_skip());
+  scene.skips.push_back(order_skip(true));
   scene.skips.push_back(electric_skip());
   if (!facts.convects) scene.skips.push_back(convection_skip());
   if (!facts.radiates) scene.skips.push_back(radiation_skip());
@@ -120,11 +123,25 @@ FieldScene describe_field(LayeredNodes& nodes, const LayerFacts& facts) {
   field.view = 0;
   field.low = facts.low;
   field.high = facts.high;
-  if (!facts.radiates) field.origin = field.low > 0 ? field.low : std::min(field.high, 0.0);
+  if (!facts.radiates) field.origin = origin_of(field.low, field.high);
   return field;
 }
 
 }  // namespace
+
+void LayeredNodes::show(const std::function<void(const ShownNode&)>& each) {
+  for_stretches([&](std::int64_t first, std::int64_t last) {
+    const ReadLayers read = reader_.read(first, last, false);
+    const Packing& packing = read.packed.packing;
+    const Graph& graph = read.field.graph;
+    for (std::size_t k = 0; k < packing.size(); ++k) {
+      const std::int64_t node = read.first_node + static_cast<std::int64_t>(k);
+      if (node >= begin && node < end)
+        each({packing.id[k], graph.is_fixed[k] != 0, graph.fixed_value[k], packing.centre[k],
+              packing.radius[k]});
+    }
+  });
+}
 
 bool can_be_layered(const TomlTable& given, std::string& why_not) {
   TomlTable root = given;
@@ -158,8 +175,9 @@ Scene build_in_layers(TomlTable root, Communicator& among) {
   LayerReader reader(root, find_layer_source(*packing, why_not));
   Scene scene;
   static_cast<CaseHead&>(scene) = reader.head();
-  scene.layers = std::make_shared<LayeredNodes>(std::move(reader));
-  LayeredNodes& nodes = *scene.layers;
+  const auto own_nodes = std::make_shared<LayeredNodes>(std::move(reader));
+  scene.own_nodes = own_nodes;
+  LayeredNodes& nodes = *own_nodes;
   LayerSource& source = nodes.source();
   source.share(among);
   const LayerFacts facts = count_layers(nodes, among);

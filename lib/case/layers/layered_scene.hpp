@@ -8,21 +8,31 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "case/layers/layer_reader.hpp"
+#include "case/parts/own_nodes.hpp"
 #include "case/scene.hpp"
 #include "parallel/communicator.hpp"
 
 namespace superstep {
 
 /// What is known of all nodes, and which of them a process has.
-class LayeredNodes {
+class LayeredNodes final : public OwnNodes {
  public:
   explicit LayeredNodes(LayerReader reader) : reader_(std::move(reader)) {}
+  /// Those of a scene that was built in layers.
+  [[nodiscard]] static LayeredNodes& of(const Scene& scene) {
+    return dynamic_cast<LayeredNodes&>(*scene.own_nodes);
+  }
+
+  [[nodiscard]] std::int64_t nodes() const override { return source().nodes(); }
+  [[nodiscard]] bool are_spheres() const override { return true; }
+  void show(const std::function<void(const ShownNode&)>& each) override;
 
   [[nodiscard]] LayerReader& reader() noexcept { return reader_; }
   [[nodiscard]] LayerSource& source() noexcept { return reader_.source(); }
@@ -30,9 +40,6 @@ class LayeredNodes {
 
   /// Rows before each layer, and in all [layers + 1].
   std::vector<std::int64_t> rows_before;
-  std::int64_t begin = 0, end = 0;  ///< nodes that are here
-  std::int64_t edges = 0;           ///< of the whole scene
-
   [[nodiscard]] std::int64_t rows() const noexcept { return rows_before.back(); }
   /// Layers that the nodes which are here stand in, and one more on either side: those that their contacts
   /// reach.

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "case/inputs/named_file.hpp"
-#include "case/layers/agreed.hpp"
 #include "case/packed/packing_options.hpp"
+#include "case/parts/agreed.hpp"
 #include "core/index.hpp"
 #include "packing/parts/layers.hpp"
 #include "packing/parts/table_part.hpp"

@@ -103,11 +103,7 @@ Graph generate(TomlTable& network, const TomlValue& named, double t_end) {
 
 }  // namespace
 
-void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene, const NetworkArrays* arrays) {
-  for (const char* other :
-       {"packing", "material", "materials", "interfaces", "contact", "thermal", "electric", "coupling"})
-    if (const auto value = root.find(other))
-      value->reject("a case with [network] gives nodes and edges directly; remove this, or remove [network]");
+FieldScene describe_network_field(TomlTable& network) {
   FieldScene field;
   const auto name = network.string("field").value_or("temperature");
   if (name != "temperature" && name != "potential")
@@ -115,6 +111,19 @@ void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene, const
   const FieldKind& kind = name == "potential" ? electric_kind() : thermal_kind();
   field.name = kind.name;
   field.unit = kind.unit;
+  const auto order = network.string("order").value_or("bandwidth");
+  if (order != "bandwidth" && order != "file")
+    network.require("order", "").reject("it must be \"bandwidth\" or \"file\"");
+  field.in_order = order == "file";
+  return field;
+}
+
+void read_network_scene(TomlTable& root, TomlTable& network, Scene& scene, const NetworkArrays* arrays) {
+  for (const char* other :
+       {"packing", "material", "materials", "interfaces", "contact", "thermal", "electric", "coupling"})
+    if (const auto value = root.find(other))
+      value->reject("a case with [network] gives nodes and edges directly; remove this, or remove [network]");
+  FieldScene field = describe_network_field(network);
   const auto generator = network.find("generator");
   if (generator && arrays) generator->reject("the network is in memory already; leave this key out");
   if (generator) {

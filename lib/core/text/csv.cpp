@@ -13,9 +13,14 @@
 
 namespace superstep {
 
-CsvReader::CsvReader(std::string path, const std::vector<std::string>& required,
+TableText CsvReader::text_of(std::string path) {
+  std::string content = read_text_file(path);
+  return {std::move(path), std::move(content)};
+}
+
+CsvReader::CsvReader(TableText text, const std::vector<std::string>& required,
                      const std::vector<std::string>& optional, const std::vector<std::string>& with_units)
-    : path_(std::move(path)), content_(read_text_file(path_)), columns_(required) {
+    : path_(std::move(text.path)), content_(std::move(text.content)), columns_(required) {
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   position_.assign(columns_.size(), -1);
   const std::size_t half = (required.size() + 1) / 2;  // one may be misspelled

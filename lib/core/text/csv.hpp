@@ -6,11 +6,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/text/delimited.hpp"
 
 namespace superstep {
+
+/// The text of a table that is in memory, and the file that it is of, for errors.
+struct TableText {
+  std::string path, content;
+};
 
 class CsvReader {
  public:
@@ -20,7 +26,12 @@ class CsvReader {
   /// brackets behind a name must be one that numbers are taken in anyway, except for columns `with_units`.
   /// Throws InputError.
   CsvReader(std::string path, const std::vector<std::string>& required,
-            const std::vector<std::string>& optional = {}, const std::vector<std::string>& with_units = {});
+            const std::vector<std::string>& optional = {}, const std::vector<std::string>& with_units = {})
+      : CsvReader(text_of(std::move(path)), required, optional, with_units) {}
+  /// The same of text that is here.
+  explicit CsvReader(TableText text, const std::vector<std::string>& required,
+                     const std::vector<std::string>& optional = {},
+                     const std::vector<std::string>& with_units = {});
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
@@ -42,6 +53,7 @@ class CsvReader {
   [[nodiscard]] std::string_view content() const noexcept { return content_; }
 
  private:
+  static TableText text_of(std::string path);
   void place_columns(std::size_t required, const std::vector<std::string>& with_units);
   [[nodiscard]] std::string names() const;
 

@@ -72,10 +72,14 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
 
 std::string read_text_file(const std::string& path, std::uintmax_t most) {
   std::string text = read_file(path, most);
-  if (text.find('\0') != std::string::npos)
-    throw FileError(path, "holds NUL bytes, so it is binary; a text file is expected");
+  refuse_binary(text, path);
   require_content(text, path);
   return text;
+}
+
+void refuse_binary(std::string_view text, const std::string& path) {
+  if (text.find('\0') != std::string_view::npos)
+    throw FileError(path, "holds NUL bytes, so it is binary; a text file is expected");
 }
 
 void require_content(std::string_view text, const std::string& path) {

@@ -29,6 +29,9 @@ void require_regular_file(const std::string& path, std::uintmax_t most = largest
 /// The same of text. Throws InputError for an empty file and for binary content (NUL bytes), too.
 [[nodiscard]] std::string read_text_file(const std::string& path, std::uintmax_t most = largest_data_file);
 
+/// Throws InputError for NUL bytes.
+void refuse_binary(std::string_view text, const std::string& path);
+
 /// Throws InputError for the text of an empty file, or one of blanks alone.
 void require_content(std::string_view text, const std::string& path);
 

@@ -52,6 +52,9 @@ struct PoreNetwork {
 [[nodiscard]] PoreNetwork read_openpnm(const std::string& file, const std::string& conductance,
                                        const std::string& capacity);
 
+/// What users are told of edges that were joined to others.
+[[nodiscard]] std::string note_of_parallel_edges(const std::string& path, std::size_t joined);
+
 /// Sums edges between the same nodes; returns how many were joined to another. Edges are sorted then.
 std::size_t join_parallel_edges(Graph& graph);
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/text/csv.hpp"
 #include "core/text/ids_in_words.hpp"
 #include "core/text/quantity.hpp"
+#include "network/files/network_rows.hpp"
 #include "network/files/read_network.hpp"
 
 namespace superstep {
@@ -17,50 +17,28 @@ namespace {
 using Positions = std::unordered_map<std::int64_t, std::int32_t>;
 
 Positions read_nodes(const std::string& path, Graph& graph) {
-  enum : std::size_t { id, capacity, source, initial, fixed };
-  CsvReader rows(path, {"id", "capacity", "source", "initial", "fixed"});
+  CsvReader rows(path, node_columns());
   Positions positions;
-  while (rows.next()) {
-    const auto node = rows.integer(id);
+  for (NodeRow node; next_row(rows, node);) {
     if (graph.nodes() >= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
       throw InputError(fmt::format("{}: more than 2147483647 nodes; split the network", rows.where()));
-    if (!positions.emplace(node, static_cast<std::int32_t>(graph.nodes())).second)
+    if (!positions.emplace(node.id, static_cast<std::int32_t>(graph.nodes())).second)
       throw InputError(
-          fmt::format("{}: id {} stands twice; every node needs an id of its own", rows.where(), node));
-    if (!(rows.number(capacity) >= 0))
-      throw InputError(fmt::format("{}: capacity of node {} is {}; it must be >= 0 (J/K or F)", rows.where(),
-                                   node, rows.number(capacity)));
-    const bool is_fixed = !rows.text(fixed).empty();
-    graph.id.push_back(node);
-    graph.capacity.push_back(rows.number(capacity));
-    graph.source.push_back(rows.number(source));
-    graph.initial.push_back(rows.number(initial));
-    graph.is_fixed.push_back(is_fixed ? 1 : 0);
-    graph.fixed_value.push_back(is_fixed ? rows.number(fixed) : 0.0);
+          fmt::format("{}: id {} stands twice; every node needs an id of its own", rows.where(), node.id));
+    graph.id.push_back(node.id);
+    graph.capacity.push_back(node.capacity);
+    graph.source.push_back(node.source);
+    graph.initial.push_back(node.initial);
+    graph.is_fixed.push_back(node.fixed ? 1 : 0);
+    graph.fixed_value.push_back(node.fixed.value_or(0.0));
   }
   if (graph.nodes() == 0)
     throw InputError(fmt::format("{}: has a header but no nodes; add at least one row", path));
   return positions;
 }
 
-/// Calls each(i, j, conductance) with the ids of every edge.
-template <class Each>
-void for_edges(CsvReader& rows, Each each) {
-  enum : std::size_t { i, j, conductance };
-  while (rows.next()) {
-    const auto a = rows.integer(i), b = rows.integer(j);
-    const double value = rows.number(conductance);
-    if (a == b)
-      throw InputError(fmt::format("{}: edge {}-{} joins a node with itself; remove it", rows.where(), a, b));
-    if (!(value >= 0))
-      throw InputError(fmt::format("{}: conductance {}-{} is {}; it must be finite and >= 0 (W/K or S)",
-                                   rows.where(), a, b, value));
-    each(a, b, value);
-  }
-}
-
 void read_edges(const std::string& path, const Positions& positions, NetworkInput& input) {
-  CsvReader rows(path, {"i", "j", "conductance"});
+  CsvReader rows(path, edge_columns());
   const auto position = [&](std::int64_t node) {
     const auto found = positions.find(node);
     if (found == positions.end())
@@ -69,15 +47,18 @@ void read_edges(const std::string& path, const Positions& positions, NetworkInpu
                       rows.where(), node, ids_in_words(input.graph.id)));
     return static_cast<std::size_t>(found->second);
   };
-  for_edges(rows, [&](std::int64_t a, std::int64_t b, double value) {
-    add_edge(input.graph, position(a), position(b), value);
-  });
+  for (EdgeRow edge; next_row(rows, edge);)
+    add_edge(input.graph, position(edge.i), position(edge.j), edge.conductance);
   if (const std::size_t joined = join_parallel_edges(input.graph); joined > 0)
-    input.notes.push_back(fmt::format("{}: {} parallel to others, and their conductances are summed", path,
-                                      quantity(joined, "edge runs", "edges run")));
+    input.notes.push_back(note_of_parallel_edges(path, joined));
 }
 
 }  // namespace
+
+std::string note_of_parallel_edges(const std::string& path, std::size_t joined) {
+  return fmt::format("{}: {} parallel to others, and their conductances are summed", path,
+                     quantity(joined, "edge runs", "edges run"));
+}
 
 std::size_t join_parallel_edges(Graph& graph) {
   std::vector<std::size_t> order(graph.edges());
@@ -121,8 +102,8 @@ NetworkInput read_nodes_and_edges(const std::string& nodes_file, const std::stri
 NetworkInput read_edge_list(const std::string& edges_file) {
   std::vector<std::int64_t> ids;
   {
-    CsvReader rows(edges_file, {"i", "j", "conductance"});
-    for_edges(rows, [&](std::int64_t a, std::int64_t b, double) { ids.insert(ids.end(), {a, b}); });
+    CsvReader rows(edges_file, edge_columns());
+    for (EdgeRow edge; next_row(rows, edge);) ids.insert(ids.end(), {edge.i, edge.j});
   }
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());

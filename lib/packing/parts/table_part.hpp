@@ -1,11 +1,11 @@
 #pragma once
-/// Tables of particles that are read in parts: a head that everybody knows, and rows, of which each reads
-/// those that begin among its bytes.
+/// Tables of particles that are read in parts.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "core/text/rows_in_parts.hpp"
 #include "packing/packing.hpp"
 #include "packing/read_options.hpp"
 
@@ -20,9 +20,9 @@ class TableInParts {
   [[nodiscard]] static std::optional<TableInParts> open(const std::string& path,
                                                         const PackingOptions& options, std::string& why_not);
 
-  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  [[nodiscard]] const std::string& path() const noexcept { return rows_.path(); }
   /// Bytes of all rows.
-  [[nodiscard]] std::uint64_t bytes() const noexcept { return end_ - begin_; }
+  [[nodiscard]] std::uint64_t bytes() const noexcept { return rows_.bytes(); }
   [[nodiscard]] double length_unit() const noexcept { return length_unit_; }  ///< m
   [[nodiscard]] bool has_ids() const noexcept { return has_ids_; }
 
@@ -33,9 +33,8 @@ class TableInParts {
   [[nodiscard]] Packing read(std::uint64_t first, std::uint64_t last) const;
 
  private:
-  std::string path_, head_;
+  RowsInParts rows_;
   PackingOptions options_;
-  std::uint64_t begin_ = 0, end_ = 0;  // of the rows in the file
   double length_unit_ = 1;
   bool has_ids_ = false;
 };

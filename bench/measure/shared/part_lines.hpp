@@ -1,6 +1,6 @@
 #pragma once
-/// The lines of the final values of a scene that nobody has as a whole: "id,x,y,z,r,value", in the order of
-/// the nodes.
+/// The lines of the final values of a scene that nobody has as a whole: "id,value", with
+/// "x,y,z,r" of spheres in between, in the order of the nodes.
 
 #include <functional>
 #include <optional>
@@ -21,15 +21,15 @@ struct WrittenLines {
 /// On the root: has every process write its lines into a file that is there and empty, behind `head` and the
 /// lines of the processes before it. Nobody holds more than 16 MB of them.
 ///   state  of the rows that are here
-[[nodiscard]] WrittenLines write_layered_lines(const Scene& scene, std::span<const double> state,
-                                               std::string_view head, const std::string& file);
+[[nodiscard]] WrittenLines write_part_lines(const Scene& scene, std::span<const double> state,
+                                            std::string_view head, const std::string& file);
 /// Elsewhere: writes the own ones.
-void join_layered_lines(const ScenePart& part, Unpacker& in);
+void join_part_lines(const ScenePart& part, Unpacker& in);
 
 /// On the root, for files that it alone can write: calls each(piece) with the lines of all nodes.
-void for_layered_lines(const Scene& scene, std::span<const double> state,
-                       const std::function<void(std::string_view)>& each);
+void for_part_lines(const Scene& scene, std::span<const double> state,
+                    const std::function<void(std::string_view)>& each);
 /// Elsewhere: sends the own ones to the root.
-void send_layered_lines(const ScenePart& part);
+void send_part_lines(const ScenePart& part);
 
 }  // namespace superstep

@@ -1,4 +1,4 @@
-#include "bench/measure/shared/layered_lines.hpp"
+#include "bench/measure/shared/part_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "bench/measure/shared/failure_of.hpp"
 #include "bench/measure/shared/worker.hpp"
-#include "case/layers/layered_scene.hpp"
+#include "case/parts/own_nodes.hpp"
 #include "core/text/append.hpp"
 #include "parallel/file_part.hpp"
 
@@ -37,26 +37,20 @@ class Repeated {
 /// Calls each(text) with lines of the nodes that are here.
 template <class Each>
 void for_own_lines(const Scene& scene, std::span<const double> state, const Each& each) {
-  LayeredNodes& nodes = *scene.layers;
   const double origin = scene.fields.front().origin;
+  const bool are_spheres = scene.own_nodes->are_spheres();
   std::string text;
   Repeated second, third, radius;
   std::size_t row = 0;
-  nodes.for_stretches([&](std::int64_t first, std::int64_t last) {
-    const ReadLayers read = nodes.reader().read(first, last, false);
-    const Packing& packing = read.packed.packing;
-    const Graph& graph = read.field.graph;
-    for (std::size_t k = 0; k < packing.size(); ++k) {
-      const std::int64_t node = read.first_node + static_cast<std::int64_t>(k);
-      if (node < nodes.begin || node >= nodes.end) continue;
-      const double value = graph.is_fixed[k] ? graph.fixed_value[k] : state[row++] + origin;
-      const auto [x, y, z] = packing.centre[k];
-      append(text, "{},{},{},{},{},{}\n", packing.id[k], x, second.text(y), third.text(z),
-             radius.text(packing.radius[k]), value);
-      if (text.size() < piece) continue;
-      each(text);
-      text.clear();
-    }
+  scene.own_nodes->show([&](const ShownNode& node) {
+    append(text, "{}", node.id);
+    if (are_spheres)
+      append(text, ",{},{},{},{}", node.centre.x, second.text(node.centre.y), third.text(node.centre.z),
+             radius.text(node.radius));
+    append(text, ",{}\n", node.is_fixed ? node.fixed_value : state[row++] + origin);
+    if (text.size() < piece) return;
+    each(text);
+    text.clear();
   });
   if (text.size() > 0) each(text);
 }
@@ -116,8 +110,8 @@ WrittenLines write_together(const Scene& scene, std::span<const double> state, s
 
 }  // namespace
 
-WrittenLines write_layered_lines(const Scene& scene, std::span<const double> state, std::string_view head,
-                                 const std::string& file) {
+WrittenLines write_part_lines(const Scene& scene, std::span<const double> state, std::string_view head,
+                              const std::string& file) {
   Packer out;
   out.put(Order::write_lines);
   out.put(file);
@@ -125,14 +119,14 @@ WrittenLines write_layered_lines(const Scene& scene, std::span<const double> sta
   return write_together(scene, state, head, file);
 }
 
-void join_layered_lines(const ScenePart& part, Unpacker& in) {
+void join_part_lines(const ScenePart& part, Unpacker& in) {
   std::string file;
   in.take(file);
-  (void)write_together(*part.layered, part.final_state, {}, file);
+  (void)write_together(*part.scene_here, part.final_state, {}, file);
 }
 
-void for_layered_lines(const Scene& scene, std::span<const double> state,
-                       const std::function<void(std::string_view)>& each) {
+void for_part_lines(const Scene& scene, std::span<const double> state,
+                    const std::function<void(std::string_view)>& each) {
   for_own_lines(scene, state, each);
   Packer out;
   out.put(Order::send_lines);
@@ -148,8 +142,8 @@ void for_layered_lines(const Scene& scene, std::span<const double> state,
   }
 }
 
-void send_layered_lines(const ScenePart& part) {
-  for_own_lines(*part.layered, part.final_state,
+void send_part_lines(const ScenePart& part) {
+  for_own_lines(*part.scene_here, part.final_state,
                 [](std::string_view text) { world().send(0, bytes_of(text)); });
   world().send(0, {});
 }

@@ -1,10 +1,9 @@
-#include "case/layers/layer_clusters.hpp"
+#include "case/parts/part_clusters.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "core/index.hpp"
 #include "parallel/all_to_all.hpp"
 
 namespace superstep {
@@ -21,43 +20,28 @@ struct Adrift {
 
 }  // namespace
 
-LayerClusters::LayerClusters(std::int64_t begin, std::int64_t end)
+PartClusters::PartClusters(std::int64_t begin, std::int64_t end)
     : begin_(begin), end_(end), sets_(at(end - begin)), facts_(at(end - begin)) {}
 
-void LayerClusters::take(const ReadLayers& read, std::int64_t first, std::int64_t last) {
-  first = std::max(first, begin_);
-  last = std::min(last, end_);
-  const Graph& graph = read.field.graph;
-  const auto own = [&](std::int64_t node) { return node >= first && node < last; };
-  for (std::int64_t node = first; node < last; ++node)
-    facts_[at(node - begin_)].take_node(graph, at(node - read.first_node));
-  for (const auto* exchanges : {&graph.convection, &graph.radiation})
-    for (const auto& exchange : *exchanges)
-      if (const std::int64_t node = exchange.node + read.first_node; own(node))
-        facts_[at(node - begin_)].take_exchange(exchange);
-  for (std::size_t k = 0; k < graph.edges(); ++k) {
-    const std::int64_t a = graph.i[k] + read.first_node, b = graph.j[k] + read.first_node;
-    const std::int64_t i = std::min(a, b), j = std::max(a, b);  // a contact is its first node's
-    if (!own(i) || !(graph.conductance[k] > 0)) continue;
-    if (j < end_)
-      sets_.join(static_cast<std::uint32_t>(i - begin_), static_cast<std::uint32_t>(j - begin_));
-    else
-      beyond_.push_back({root_of(i), j});
-  }
+void PartClusters::join(std::int64_t i, std::int64_t j) {
+  if (j < end_)
+    sets_.join(static_cast<std::uint32_t>(i - begin_), static_cast<std::uint32_t>(j - begin_));
+  else
+    beyond_.push_back({root_of(i), j});
 }
 
-/// Contacts between components of two processes, each named by a node of it.
-std::vector<LayerClusters::Contact> LayerClusters::name_by_roots(Communicator& among) {
+/// Edges between components of two processes, each named by a node of it.
+std::vector<PartClusters::Edge> PartClusters::name_by_roots(Communicator& among) {
   const auto ranges = everywhere(IndexRange{begin_, end_}, among);
-  std::vector<std::vector<Contact>> to(ranges.size());
+  std::vector<std::vector<Edge>> to(ranges.size());
   for (const auto& [i, j] : beyond_) {
     auto owner = at(among.rank());  // what lies beyond is a later one's, mostly the next one's
     while (!ranges[owner].holds(j)) ++owner;
     to[owner].push_back({root_of(i), j});
   }
   auto joined = all_to_all(std::move(to), among);
-  for (auto& contact : joined) contact.j = root_of(contact.j);
-  const auto key = [](const Contact& contact) { return std::pair(contact.i, contact.j); };
+  for (auto& edge : joined) edge.j = root_of(edge.j);
+  const auto key = [](const Edge& edge) { return std::pair(edge.i, edge.j); };
   std::sort(joined.begin(), joined.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   joined.erase(std::unique(joined.begin(), joined.end(),
                            [&](const auto& a, const auto& b) { return key(a) == key(b); }),
@@ -65,17 +49,17 @@ std::vector<LayerClusters::Contact> LayerClusters::name_by_roots(Communicator& a
   return joined;
 }
 
-std::uint64_t LayerClusters::count_adrift(Communicator& among) && {
+std::uint64_t PartClusters::count_adrift(Communicator& among) && {
   for (std::int64_t node = begin_; node < end_; ++node)
     if (const std::int64_t root = root_of(node); root != node)
       facts_[at(root - begin_)].take(std::exchange(facts_[at(node - begin_)], {}));
-  const std::vector<Contact> joined = name_by_roots(among);
+  const std::vector<Edge> joined = name_by_roots(among);
   std::vector<char> is_shared(facts_.size(), 0);
   for (const auto& [i, j] : beyond_) is_shared[at(root_of(i) - begin_)] = 1;
-  for (const auto& contact : joined) is_shared[at(contact.j - begin_)] = 1;
+  for (const auto& edge : joined) is_shared[at(edge.j - begin_)] = 1;
   Adrift adrift;
   std::vector<std::vector<Cluster>> clusters(at(among.size()));
-  std::vector<std::vector<Contact>> contacts(at(among.size()));
+  std::vector<std::vector<Edge>> edges(at(among.size()));
   for (std::size_t k = 0; k < facts_.size(); ++k) {
     if (!facts_[k].seen) continue;  // no root
     if (is_shared[k])
@@ -83,10 +67,10 @@ std::uint64_t LayerClusters::count_adrift(Communicator& among) && {
     else
       adrift.count(facts_[k]);
   }
-  contacts.front() = joined;
+  edges.front() = joined;
   // The root joins the few that several processes share.
   const auto shared = all_to_all(std::move(clusters), among);
-  const auto between = all_to_all(std::move(contacts), among);
+  const auto between = all_to_all(std::move(edges), among);
   std::map<std::int64_t, std::uint32_t> number;
   for (const auto& cluster : shared) number.emplace(cluster.root, static_cast<std::uint32_t>(number.size()));
   DisjointSets sets(number.size());
