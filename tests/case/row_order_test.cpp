@@ -1,4 +1,5 @@
-/// Rows in layers of the packing and rows of small bandwidth: two orders of one scene, lone spheres included.
+/// Rows in layers of a packing, or as the nodes of a network stand in their file, and rows of small
+/// bandwidth: two orders of one scene, lone spheres and clusters in which nothing happens included.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -76,6 +77,55 @@ TEST_F(RowOrder, ChangesNeitherOfTwoFields) {
       ramp_;
   expect_same(both, 0, 1e-6);
   expect_same(both, 1, 1e-4);
+}
+
+class NetworkOrder : public test::CaseTexts {
+ protected:
+  /// A crooked chain, a pair that is at rest, a lone node, and one of capacity 0 beside the chain.
+  void SetUp() override {
+    std::string nodes = "id,capacity,source,initial,fixed\n", edges = "i,j,conductance\n";
+    for (int k = 0; k < 40; ++k)
+      nodes += fmt::format("{},{},{},{},{}\n", 7 * k % 40, k == 12 ? 0 : 1 + 0.1 * (k % 5), k == 20 ? 0.4 : 0,
+                           5 + 0.5 * (k % 4), 7 * k % 40 == 0 ? "9" : "");
+    for (int k = 0; k < 36; ++k) edges += fmt::format("{},{},{}\n", k, k + 1, 1 + 0.2 * (k % 3));
+    folder_.write("nodes.csv", nodes + "100,1,0,5,\n101,1,0,5,\n102,1,0,7,\n");
+    folder_.write("edges.csv", edges + "0,20,0.5\n100,101,1\n3,9,0.1\n9,3,0.2\n");
+  }
+  void expect_same(const std::string& more) {
+    const auto scene = [&](const char* order) {
+      return load(
+          fmt::format("t_end = 5.0\nprobe = [12, 100]\n[network]\nnodes = \"nodes.csv\"\n"
+                      "edges = \"edges.csv\"\norder = \"{}\"\n{}",
+                      order, more));
+    };
+    const Scene in_order = scene("file"), as_usual = scene("bandwidth");
+    EXPECT_TRUE(in_order.fields.front().in_order);
+    EXPECT_FALSE(as_usual.fields.front().in_order);
+    const auto& row_of_node = in_order.fields.front().row_of_node;
+    std::int32_t row = 0;
+    for (std::size_t node = 0; node < row_of_node.size(); ++node) {
+      const bool is_row = node != 12 && !in_order.fields.front().graph.is_fixed[node];
+      EXPECT_EQ(row_of_node[node], is_row ? row++ : -1) << node;
+    }
+    const auto a = test::values_at_end(in_order), b = test::values_at_end(as_usual);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-6) << k;
+  }
+};
+
+TEST_F(NetworkOrder, ChangesNoTemperature) {
+  expect_same("");
+}
+
+TEST_F(NetworkOrder, ChangesNoPotentialThatListsMove) {
+  expect_same(
+      "field = \"potential\"\nfixed = [ { ids = [30], value = { times = [0, 2, 2], values = [5, 7, 1] } } ]\n"
+      "source = [ { ids = [8, 102], value = 0.25 } ]\n");
+}
+
+TEST_F(NetworkOrder, IsOneOfTwo) {
+  expect_refused("t_end = 1\n[network]\nnodes = \"nodes.csv\"\nedges = \"edges.csv\"\norder = \"files\"\n",
+                 "it must be \"bandwidth\" or \"file\"");
 }
 
 }  // namespace

@@ -202,7 +202,8 @@ Tree network(const CaseFolder& folder) {
   (void)write_rod(folder, {.nodes = 5, .head = {}, .bench = {}});
   Tree tree = full_head();
   tree["probe"] = 2;
-  tree["network"] = {{"nodes", "rod_nodes.csv"}, {"edges", "rod_edges.csv"}, {"field", "temperature"}};
+  tree["network"] = {
+      {"nodes", "rod_nodes.csv"}, {"edges", "rod_edges.csv"}, {"field", "temperature"}, {"order", "file"}};
   return tree;
 }
 

@@ -24,7 +24,7 @@ class BytePieces {
   }
 
  private:
-  static constexpr std::uint64_t most = std::uint64_t{1} << 24;
+  static constexpr std::uint64_t most = std::uint64_t{1} << 22;
   std::uint64_t begin_, end_;
 };
 

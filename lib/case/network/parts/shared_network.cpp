@@ -135,7 +135,7 @@ Scene build_shared_network(TomlTable root, Communicator& among) {
   std::optional<Tables> tables;
   agreed(among, [&] { tables = open_tables(network, why_not); });
   if (among.any(!tables)) throw NeedsOneReader("its tables change");
-  const SharedNodes nodes(tables->nodes, among);
+  SharedNodes nodes(tables->nodes, among);
   if (nodes.rows().rows() == 0)
     throw InputError(
         fmt::format("{}: every node is fixed, so nothing is left to integrate; free some", scene.file));
@@ -161,9 +161,11 @@ Scene build_shared_network(TomlTable root, Communicator& among) {
 
   const double pair_step = among.min(local.pair_step());
   scene.initial = local.initial(field.origin);
-  NetworkPart part = std::move(local).part(field.origin);
-  part.network.halo = std::make_shared<Halo>(among, nodes.rows(), std::move(part.halo));
+  nodes.release();
   give_back_memory();  // of what was read
+  NetworkPart part = std::move(local).part(field.origin);
+  if (!among.alone()) part.network.halo = std::make_shared<Halo>(among, nodes.rows(), std::move(part.halo));
+  give_back_memory();
   constexpr bool keep_network = false;
   scene.rhs =
       std::make_unique<NetworkRhs>(std::move(part.network), field.name, field.unit, pair_step, keep_network);

@@ -41,6 +41,8 @@ class SharedNodes {
   [[nodiscard]] std::vector<SharedNode> ask(std::span<const std::int64_t> nodes, Communicator& among) const;
   /// Collective: the number of the node with an id; -1 = nobody has it.
   [[nodiscard]] std::int64_t node_of_id(std::int64_t id, Communicator& among) const;
+  /// From now on nobody asks for nodes.
+  void release() noexcept { std::vector<SharedNode>().swap(own_); }
 
  private:
   void measure(const std::vector<NodeRow>& part, Communicator& among);
