@@ -202,15 +202,14 @@ Tree network(const CaseFolder& folder) {
   (void)write_rod(folder, {.nodes = 5, .head = {}, .bench = {}});
   Tree tree = full_head();
   tree["probe"] = 2;
-  tree["network"] = {
-      {"nodes", "rod_nodes.csv"}, {"edges", "rod_edges.csv"}, {"field", "temperature"}, {"order", "file"}};
+  tree["network"] = {{"nodes", "rod_nodes.csv"}, {"edges", "rod_edges.csv"}, {"field", "temperature"}};
   return tree;
 }
 
 Tree generated_network(Tree (*table)(double)) {
   Tree tree = full_head();
   tree["network"] = Tree::parse(R"({ "generator": "lattice", "size": 64, "contrast": 10.0, "spread": 2.0,
-    "fraction": 0.1, "seed": 3, "field": "temperature", "initial": 0.5 })");
+    "fraction": 0.1, "seed": 3, "field": "temperature", "initial": 0.5, "order": "file" })");
   const auto made = find_network_generator("lattice")->make(
       {.size = 64, .contrast = 10, .spread = 2, .fraction = 0.1, .seed = 3});
   tree["network"]["expect"] = network_hash(made);
