@@ -34,6 +34,13 @@ std::vector<double> everywhere(std::span<const double> own, Communicator& among)
   return out;
 }
 
+std::size_t range_that_holds(std::span<const IndexRange> ranges, std::int64_t k) noexcept {
+  const auto behind =
+      std::upper_bound(ranges.begin(), ranges.end(), k,
+                       [](std::int64_t one, const IndexRange& range) { return one < range.begin; });
+  return static_cast<std::size_t>(behind - ranges.begin()) - 1;
+}
+
 std::vector<IndexRange> everywhere(IndexRange own, Communicator& among) {
   const double ends[] = {static_cast<double>(own.begin), static_cast<double>(own.end)};
   const std::vector<double> all = everywhere(ends, among);

@@ -56,6 +56,8 @@ struct IndexRange {
     return {std::max(begin, other.begin), std::min(end, other.end)};
   }
 };
+/// Which of ranges one behind the other holds k.
+[[nodiscard]] std::size_t range_that_holds(std::span<const IndexRange> ranges, std::int64_t k) noexcept;
 /// Collective: that of each process, everywhere.
 [[nodiscard]] std::vector<IndexRange> everywhere(IndexRange own, Communicator& among);
 

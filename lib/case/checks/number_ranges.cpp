@@ -19,7 +19,8 @@ bool is_workable(double value) noexcept {
 /// Checks one field; messages begin with the case's file.
 class Check {
  public:
-  Check(const std::string& file, const FieldScene& field) : file_(file), field_(field), graph_(field.graph) {}
+  Check(const std::string& file, const FieldScene& field, const Graph& graph)
+      : file_(file), field_(field), graph_(graph) {}
 
   void nodes() const {
     for (std::size_t node = 0; node < graph_.nodes(); ++node) {
@@ -75,14 +76,16 @@ class Check {
 
 }  // namespace
 
+void require_workable_numbers(const std::string& file, const FieldScene& field, const Graph& graph) {
+  const Check check(file, field, graph);
+  check.nodes();
+  check.edges();
+  check.exchanges();
+  check.tables();
+}
+
 void require_workable_numbers(const Scene& scene) {
-  for (const auto& field : scene.fields) {
-    const Check check(scene.file, field);
-    check.nodes();
-    check.edges();
-    check.exchanges();
-    check.tables();
-  }
+  for (const auto& field : scene.fields) require_workable_numbers(scene.file, field, field.graph);
 }
 
 }  // namespace superstep

@@ -1,6 +1,8 @@
 #pragma once
 /// Numbers that every method can compute with.
 
+#include <string>
+
 #include "case/scene.hpp"
 
 namespace superstep {
@@ -10,5 +12,7 @@ namespace superstep {
 /// x, their sums) leave the range of a double and the answer would be wrong without a word. Throws InputError
 /// with the node or edge. To be called before the right-hand side is built.
 void require_workable_numbers(const Scene& scene);
+/// The same of nodes and edges of a field.
+void require_workable_numbers(const std::string& file, const FieldScene& field, const Graph& graph);
 
 }  // namespace superstep

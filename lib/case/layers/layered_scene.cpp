@@ -63,17 +63,13 @@ void read_own_layers(const Partition& partition, double origin, LayeredNodes& no
   const LayerSource& source = nodes.source();
   nodes.for_stretches([&](std::int64_t first, std::int64_t last) {
     const std::int64_t from = std::max<std::int64_t>(0, first - 1), to = std::min(last + 1, source.layers());
-    ReadLayers read = nodes.reader().read(from, to, true);
+    const ReadLayers read = nodes.reader().read(from, to, true);
     count_contacts(read, nodes, source.nodes_before(first), source.nodes_before(last), own);
     if (own.clusters)
       own.clusters->take(read.field.graph, {source.nodes_before(first), source.nodes_before(last)},
                          [&](std::size_t k) { return static_cast<std::int64_t>(k) + read.first_node; });
-    Scene checked;
-    checked.file = scene.file;
-    checked.output_times = scene.output_times;
-    checked.fields.push_back(std::move(read.field));
-    require_workable_numbers(checked);
-    const FieldScene& field = checked.fields.front();
+    const FieldScene& field = read.field;
+    require_workable_numbers(scene.file, field, field.graph);
     const auto roles = roles_of(field.graph);
     own.pair_step = std::min(own.pair_step, min_pair_step(field.graph, roles, field.bare_conductance()));
     std::vector<std::int32_t> order(field.graph.nodes());

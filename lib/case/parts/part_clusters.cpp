@@ -34,11 +34,7 @@ void PartClusters::join(std::int64_t i, std::int64_t j) {
 std::vector<PartClusters::Edge> PartClusters::name_by_roots(Communicator& among) {
   const auto ranges = everywhere(IndexRange{begin_, end_}, among);
   std::vector<std::vector<Edge>> to(ranges.size());
-  for (const auto& [i, j] : beyond_) {
-    auto owner = at(among.rank());  // what lies beyond is a later one's, mostly the next one's
-    while (!ranges[owner].holds(j)) ++owner;
-    to[owner].push_back({root_of(i), j});
-  }
+  for (const auto& [i, j] : beyond_) to[range_that_holds(ranges, j)].push_back({root_of(i), j});
   auto joined = all_to_all(std::move(to), among);
   for (auto& edge : joined) edge.j = root_of(edge.j);
   const auto key = [](const Edge& edge) { return std::pair(edge.i, edge.j); };

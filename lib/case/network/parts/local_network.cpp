@@ -4,7 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "case/checks/number_ranges.hpp"
 #include "core/index.hpp"
 #include "network/network_in_order.hpp"
 
@@ -61,18 +60,6 @@ std::int64_t LocalNetwork::number(std::size_t node) const noexcept {
   if (node < below_) return beyond_[node];
   const std::size_t own = node - below_;
   return own < here_.size() ? here_.begin + static_cast<std::int64_t>(own) : beyond_[node - here_.size()];
-}
-
-void LocalNetwork::require_workable(const Scene& scene) {
-  Scene checked;
-  checked.file = scene.file;
-  checked.fields.emplace_back();
-  FieldScene& field = checked.fields.front();
-  field.name = scene.fields.front().name;
-  field.unit = scene.fields.front().unit;
-  field.graph = std::move(graph_);
-  require_workable_numbers(checked);
-  graph_ = std::move(field.graph);
 }
 
 double LocalNetwork::pair_step() const {

@@ -6,7 +6,6 @@
 
 #include "case/network/parts/shared_edges.hpp"
 #include "case/network/parts/shared_nodes.hpp"
-#include "case/scene.hpp"
 #include "network/part.hpp"
 
 namespace superstep {
@@ -24,8 +23,6 @@ class LocalNetwork {
   [[nodiscard]] const Graph& graph() const noexcept { return graph_; }
   /// The number of a node of the graph among all.
   [[nodiscard]] std::int64_t number(std::size_t node) const noexcept;
-  /// Throws InputError; see require_workable_numbers.
-  void require_workable(const Scene& scene);
   /// Of its edges [s].
   [[nodiscard]] double pair_step() const;
   /// Of own rows, counted from the origin.

@@ -27,8 +27,9 @@ class Sharing {
   [[nodiscard]] std::vector<SharedEdge> share(std::uint64_t first, std::uint64_t last) const {
     ToAll to = nobody();
     agreed(among_, [&] {
+      std::uint64_t number = first;  // no row is shorter than a byte
       for (const auto& row : edges_of_part(table_, first, last))
-        to[directory_.process(row.i)].push_back({row.i, row.j, row.conductance, first++});
+        to[directory_.process(row.i)].push_back({row.i, row.j, row.conductance, number++});
     });
     std::vector<SharedEdge> edges = with_nodes(&SharedEdge::i, std::move(to));
     to = nobody();

@@ -151,7 +151,7 @@ Scene build_shared_network(TomlTable root, Communicator& among) {
   LocalNetwork local(nodes, std::move(edges.own), among);
   scene.own_nodes = std::make_shared<NetworkNodes>(nodes);
   scene.own_nodes->edges = static_cast<std::int64_t>(edges.count);
-  agreed(among, [&] { local.require_workable(scene); });
+  agreed(among, [&] { require_workable_numbers(scene.file, field, local.graph()); });
   PartClusters clusters(nodes.here().begin, nodes.here().end);
   clusters.take(local.graph(), nodes.here(), [&](std::size_t k) { return local.number(k); });
   field.adrift_clusters = std::move(clusters).count_adrift(among);

@@ -32,10 +32,14 @@ class SharedNodes {
   [[nodiscard]] double low() const noexcept { return low_; }    ///< of what is fixed or begins
   [[nodiscard]] double high() const noexcept { return high_; }  ///< likewise
   /// Nodes that are here.
-  [[nodiscard]] const IndexRange& here() const noexcept { return here_; }
+  [[nodiscard]] const IndexRange& here() const noexcept {
+    return ranges_[static_cast<std::size_t>(rows_.rank())];
+  }
   [[nodiscard]] const std::vector<SharedNode>& own() const noexcept { return own_; }
   /// The process that has a node.
-  [[nodiscard]] std::size_t owner(std::int64_t node) const noexcept;
+  [[nodiscard]] std::size_t owner(std::int64_t node) const noexcept {
+    return range_that_holds(ranges_, node);
+  }
 
   /// Collective: nodes by their numbers, which ascend.
   [[nodiscard]] std::vector<SharedNode> ask(std::span<const std::int64_t> nodes, Communicator& among) const;
@@ -45,15 +49,19 @@ class SharedNodes {
   void release() noexcept { std::vector<SharedNode>().swap(own_); }
 
  private:
-  void measure(const std::vector<NodeRow>& part, Communicator& among);
-  void find_shares(const std::vector<NodeRow>& part, std::int64_t first_row, Communicator& among);
-  void hand_out(std::vector<NodeRow> part, std::int64_t first_row, Communicator& among);
+  /// What a process has read.
+  struct Part {
+    std::vector<NodeRow> nodes;
+    std::int64_t first_node = 0, first_row = 0;  // numbers among all
+  };
+  void measure(const Part& part, Communicator& among);
+  void find_ranges(const Part& part, Communicator& among);
+  void hand_out(Part part, Communicator& among);
 
-  std::int64_t count_ = 0, first_read_ = 0;  // the latter: the first one that was read here
+  std::int64_t count_ = 0;
   Partition rows_;
   double low_ = 0, high_ = 0;
-  std::vector<std::int64_t> begins_;  // first node of each process
-  IndexRange here_;
+  std::vector<IndexRange> ranges_;  // nodes of each process
   std::vector<SharedNode> own_;
 };
 
