@@ -23,8 +23,9 @@ def nodes_and_edges(nodes):
 
 COMMANDS = {
     "run": ["run", "rod.toml", "--out", "out", "--integrator", "rkc", "--integrator", "cvode"],
-    # Of several processes nobody has the whole of it, and all write final.csv.
+    # Of several processes nobody has the whole of these, and all write final.csv.
     "lattice": ["run", "lattice.toml", "--out", "out", "--integrator", "rkc"],
+    "network": ["run", "network.toml", "--out", "out", "--integrator", "rkc"],
     "bench": ["bench", "rod.toml", "--out", "out", "--repetitions", "1"],
     "report": ["report", "measured"],
     "pack": ["pack", "--container", "box", "--width", "2", "--depth", "2", "--height", "2", "--sizes",
@@ -47,6 +48,9 @@ class Folder:
         (self.path / "rod.toml").write_text(
             't_end = 300.0\noutput_times = [30.0, 100.0, 300.0]\nprobe = 20\n[network]\nnodes = "nodes.csv"\n'
             'edges = "edges.csv"\n[bench]\nbaseline = "forward-euler"\nintegrators = ["rkc", "cvode"]\n')
+        (self.path / "network.toml").write_text(
+            't_end = 300.0\noutput_times = [300.0]\nprobe = 20\n[network]\nnodes = "nodes.csv"\nedges = "edges.csv"\n'
+            'order = "file"\n')
         (self.path / "press.toml").write_text(PRESS)
         (self.path / "lattice.toml").write_text(scenes.heated_lattice([4, 4, 9], t_end=2.0, early=0.5))
         if name == "report":

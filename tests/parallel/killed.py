@@ -25,7 +25,7 @@ from fault_commands import Folder
 SKIPPED = 77
 PROCESSES = 4
 BLOCK = ["--block-rows", "8"]  # so that each process has a part of a rod of 40
-COMMANDS = {name: fault_commands.COMMANDS[name] + BLOCK for name in ("run", "lattice", "bench", "checkpoint")}
+COMMANDS = {name: fault_commands.COMMANDS[name] + BLOCK for name in ("run", "lattice", "network", "bench", "checkpoint")}
 fault_commands.COMMANDS.update(COMMANDS)  # one process, too, cuts its sums like that
 LAST_WORDS = 15  # s that a launcher takes at most once its processes are gone
 PATIENCE = 100  # s; some thirty times what a run takes, a third of what its caller allows
