@@ -27,9 +27,9 @@ class Check {
       const bool needs_none = field_.steady || (graph_.is_fixed[node] && graph_.capacity[node] == 0);
       if (!needs_none && !is_workable(graph_.capacity[node]))
         reject(of_node("capacity", node), graph_.capacity[node], "J/K or F");
-      size(of_node("initial value", node), graph_.initial[node], field_.unit);
-      if (graph_.is_fixed[node]) size(of_node("fixed value", node), graph_.fixed_value[node], field_.unit);
-      size(of_node("source", node), graph_.source[node], "W or A");
+      size("initial value", node, graph_.initial[node], field_.unit);
+      if (graph_.is_fixed[node]) size("fixed value", node, graph_.fixed_value[node], field_.unit);
+      size("source", node, graph_.source[node], "W or A");
     }
   }
   void edges() const {
@@ -44,12 +44,13 @@ class Check {
         const auto node = static_cast<std::size_t>(exchange.node);
         if (exchange.coefficient != 0 && !is_workable(exchange.coefficient))
           reject(of_node("exchange with the surroundings", node), exchange.coefficient, "W/K or W/K4");
-        if (exchange.table < 0) size(of_node("ambient temperature", node), exchange.ambient, field_.unit);
+        if (exchange.table < 0) size("ambient temperature", node, exchange.ambient, field_.unit);
       }
   }
   void tables() const {
     for (const auto& table : graph_.tables)
-      for (const double value : table.value) size("a value of a table of time", value, "");
+      for (const double value : table.value)
+        if (is_too_large(value)) reject_size("a value of a table of time", value, "");
   }
 
  private:
@@ -57,10 +58,13 @@ class Check {
   [[nodiscard]] std::string of_node(const char* what, std::size_t node) const {
     return fmt::format("the {} of node {}", what, graph_.id[node]);
   }
-  void size(const std::string& what, double value, const std::string& unit) const {
-    if (std::abs(value) > largest)
-      throw InputError(fmt::format("{}: {}: {} is {} {}; it must not exceed {:g} in size", file_, field_.name,
-                                   what, value, unit, largest));
+  [[nodiscard]] static bool is_too_large(double value) noexcept { return std::abs(value) > largest; }
+  void size(const char* what, std::size_t node, double value, const std::string& unit) const {
+    if (is_too_large(value)) reject_size(of_node(what, node), value, unit);
+  }
+  [[noreturn]] void reject_size(const std::string& what, double value, const std::string& unit) const {
+    throw InputError(fmt::format("{}: {}: {} is {} {}; it must not exceed {:g} in size", file_, field_.name,
+                                 what, value, unit, largest));
   }
   [[noreturn]] void reject(const std::string& what, double value, const char* unit) const {
     throw InputError(
