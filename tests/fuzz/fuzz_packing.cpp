@@ -10,9 +10,7 @@ namespace {
 
 using namespace superstep;
 
-void require(bool right) {
-  if (!right) std::abort();
-}
+using fuzz::require;
 
 /// What was read as a whole is there in parts, too.
 void read_in_parts(const std::string& path, const Packing& whole) {

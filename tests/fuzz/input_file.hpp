@@ -33,10 +33,14 @@ class InputFile {
   int descriptor_;
 };
 
+inline void require(bool right) {
+  if (!right) std::abort();
+}
+
 /// A message says something. It may quote a file's control characters: the program escapes them where it
 /// prints.
 inline void require_text(std::string_view message) {
-  if (message.empty()) std::abort();
+  require(!message.empty());
 }
 
 template <class Read>

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <memory>
-#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -96,6 +97,12 @@ void read_shared_probes(TomlTable& root, const SharedNodes& nodes, Scene& scene,
   scene.probes = read_probes(*probe, {.by_id = by_id, .at_mid_height = at_mid_height});
 }
 
+std::uint64_t count_adrift(const SharedNodes& nodes, const LocalNetwork& local, Communicator& among) {
+  PartClusters clusters(nodes.here().begin, nodes.here().end);
+  clusters.take(local.graph(), nodes.here(), [&](std::size_t k) { return local.number(k); });
+  return std::move(clusters).count_adrift(among);
+}
+
 void list_skips(const SharedNodes& nodes, const FieldScene& field, Scene& scene) {
   if (const std::int64_t fixed = nodes.count() - nodes.rows().rows(); fixed > 0)
     scene.skips.push_back(fixed_nodes_skip(fixed, ""));
@@ -152,9 +159,7 @@ Scene build_shared_network(TomlTable root, Communicator& among) {
   scene.own_nodes = std::make_shared<NetworkNodes>(nodes);
   scene.own_nodes->edges = static_cast<std::int64_t>(edges.count);
   agreed(among, [&] { require_workable_numbers(scene.file, field, local.graph()); });
-  PartClusters clusters(nodes.here().begin, nodes.here().end);
-  clusters.take(local.graph(), nodes.here(), [&](std::size_t k) { return local.number(k); });
-  field.adrift_clusters = std::move(clusters).count_adrift(among);
+  field.adrift_clusters = count_adrift(nodes, local, among);
   read_shared_probes(root, nodes, scene, among);
   list_skips(nodes, field, scene);
   agreed(among, [&] { root.finish(); });
