@@ -32,7 +32,8 @@ void add_node(const SharedNode& node, Graph& graph) {
   graph.is_fixed.push_back(node.is_fixed() ? 1 : 0);
 }
 
-LocalNetwork::LocalNetwork(const SharedNodes& nodes, std::vector<SharedEdge> edges, Communicator& among)
+LocalNetwork::LocalNetwork(const SharedNodes& nodes, const std::vector<SharedEdge>& edges,
+                           Communicator& among)
     : here_(nodes.here()), beyond_(ends_beyond(edges, here_)) {
   const std::vector<SharedNode> others = nodes.ask(beyond_, among);
   below_ = static_cast<std::size_t>(std::lower_bound(beyond_.begin(), beyond_.end(), here_.begin) -

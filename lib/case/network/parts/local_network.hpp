@@ -18,7 +18,7 @@ class LocalNetwork {
  public:
   /// Collective.
   ///   edges  all that end at own nodes
-  LocalNetwork(const SharedNodes& nodes, std::vector<SharedEdge> edges, Communicator& among);
+  LocalNetwork(const SharedNodes& nodes, const std::vector<SharedEdge>& edges, Communicator& among);
 
   [[nodiscard]] const Graph& graph() const noexcept { return graph_; }
   /// The number of a node of the graph among all.

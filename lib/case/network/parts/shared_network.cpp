@@ -155,7 +155,8 @@ Scene build_shared_network(TomlTable root, Communicator& among) {
   std::optional<NodeDirectory> directory(std::in_place, nodes, tables->nodes.path(), among);
   SharedEdges edges = share_edges(tables->edges, nodes, *directory, among);
   directory.reset();
-  LocalNetwork local(nodes, std::move(edges.own), among);
+  LocalNetwork local(nodes, edges.own, among);
+  std::vector<SharedEdge>().swap(edges.own);
   scene.own_nodes = std::make_shared<NetworkNodes>(nodes);
   scene.own_nodes->edges = static_cast<std::int64_t>(edges.count);
   agreed(among, [&] { require_workable_numbers(scene.file, field, local.graph()); });
