@@ -12,6 +12,7 @@
 #include "bench/app/loaded_case.hpp"
 #include "bench/app/press/press_commands.hpp"
 #include "bench/harness/run_check.hpp"
+#include "bench/harness/verification.hpp"
 #include "bench/host/interrupt.hpp"
 #include "bench/measure/run_one.hpp"
 #include "bench/output/layered_vtk.hpp"
@@ -60,8 +61,10 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const MethodSp
   const bool verified = command.verify;
   RunRequest request{
       .probes = &probes, .stop = &stop_flag(), .progress = &progress, .limits = command.limits};
+  OutputErrors range(scene, nullptr);
   request.observe = [&](std::size_t output, double t, std::span<const double> state) {
     if (vtk) vtk->add(t, state);
+    if (!scene.own_nodes) range.observe(output, t, state);
     if (verified) run.states.emplace_back(state.begin(), state.end());
     if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
   };
@@ -70,6 +73,7 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const MethodSp
   progress.begin(spec.text(), scene.t_end);
   run.result = run_one(scene, spec, request);
   progress.end();
+  if (run.result.outcome.ok()) range.judge_range(run.result.spans, run.result.outcome);
   if (verified && run.result.outcome.ok()) {
     run.check = check_run(scene, spec, run.result, run.states, stop_flag(), progress, command.limits);
     run.result.outcome = judge_check(scene, *run.check);

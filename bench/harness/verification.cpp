@@ -76,6 +76,16 @@ void OutputErrors::judge_besides(std::size_t field, Outcome& outcome) const {
   }
 }
 
+void OutputErrors::judge_range(std::span<const double> spans, Outcome& outcome) const {
+  const auto fields = scene_.rhs->fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    FieldErrors errors;
+    errors.overshoot = errors_[f].overshoot;
+    errors.span = f < spans.size() ? spans[f] : scene_field(scene_, fields[f].name).range_of_state().span();
+    judge(errors, fields[f].name, fields[f].unit, outcome);
+  }
+}
+
 Number delivered_error(double rms, double bar, double allowed) {
   const double limit = most_tolerances * allowed;
   const bool told = rms + bar <= limit || rms - bar > limit;

@@ -34,6 +34,9 @@ class OutputErrors {
   /// `inaccurate`: a value out of its range, and the error of another field.
   ///   field  position of the one whose error is no matter here
   void judge_besides(std::size_t field, Outcome& outcome) const;
+  /// The same of a value out of its range alone, of a run without a reference.
+  ///   spans  [fields] K or V, or empty: then that of what fields may be at the start counts
+  void judge_range(std::span<const double> spans, Outcome& outcome) const;
 
   [[nodiscard]] const std::vector<FieldErrors>& errors() const noexcept { return errors_; }
   [[nodiscard]] std::span<const double> last() const noexcept { return last_; }  ///< state observed

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/harness/verification.hpp"
 #include "bench/measure/run_one.hpp"
 #include "case/inputs/workable_times.hpp"
 #include "core/error.hpp"
@@ -102,13 +103,16 @@ py::dict run(BoundScene& bound, const std::string& method, std::optional<double>
   std::size_t reached = 0;
   Interruptible work;
   RunRequest request{.stop = &work.stop(), .limits = {.seconds = time_limit}};
+  OutputErrors range(use.scene(), nullptr);
   request.observe = [&](std::size_t k, double t, std::span<const double> state) {
+    range.observe(k, t, state);
     bound.unknowns().to_user(state, rows.row(k));
     reached = k + 1;
     if (!on_output.is_none()) work.in_interpreter([&, k, t] { on_output(t, rows.row_view(k)); });
   };
   RunResult result;
   work.run(threads, [&] { result = run_one(use.scene(), spec, request); });
+  if (result.outcome.ok()) range.judge_range(result.spans, result.outcome);
 
   times.resize(reached);
   py::dict out;
