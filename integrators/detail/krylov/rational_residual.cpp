@@ -25,7 +25,8 @@ double decayed_into(double a, double b, double t) {
 
 RationalError rational_error(double pole, std::span<const double> rate, std::span<const double> vectors,
                              double t) {
-  constexpr double between = 1.1, ratio = 1.5, least = 0.03, most = 300, far = 1e6;
+  constexpr double between = 1.1, ratio = 1.5, least = 0.03, far = 1e6;
+  constexpr int samples = 23;       // up to some 200/t
   const double fastest = 1e30 / t;  // beyond that rates are roundings, and large numbers
   const std::size_t m = rate.size();
   RationalError error;
@@ -42,7 +43,8 @@ RationalError rational_error(double pole, std::span<const double> rate, std::spa
     error.images = std::max(error.images, between * std::sqrt(square));
   };
   look_at(0);
-  for (double x = least; x < most; x *= ratio) look_at(x / t);
+  double x = least;
+  for (int k = 0; k < samples; ++k, x *= ratio) look_at(x / t);
   look_at(far / t);
   return error;
 }
