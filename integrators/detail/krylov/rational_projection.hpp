@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "integrators/detail/krylov/rational_residual.hpp"
+#include "integrators/detail/krylov/rational_error.hpp"
 
 namespace superstep {
 

@@ -1,4 +1,4 @@
-#include "integrators/detail/krylov/rational_residual.hpp"
+#include "integrators/detail/krylov/rational_error.hpp"
 
 #include <algorithm>
 #include <cmath>
