@@ -35,12 +35,7 @@ constexpr std::array<double, stages> embedded = {4586570599.0 / 29645900160, 0,
 class Esdirk final : public OneStepMethod {
  public:
   explicit Esdirk(const Options& options)
-      : rtol_(options.number("rtol")),
-        fixed_step_(options.given("step").value_or(0)),
-        solver_(options.word("solver")) {
-    static const std::array<std::string, 2> one_of = {"rtol", "step"};
-    options.at_most_one_of(one_of);
-  }
+      : rtol_(options.number("rtol")), fixed_step_(fixed_step_of(options)), solver_(options.word("solver")) {}
 
   void prepare(Rhs& rhs, const Task& task) override {
     rhs_ = &rhs;
@@ -128,11 +123,7 @@ IntegratorEntry esdirk_entry() {
                 .words = {"auto", "klu", "cholmod", "pcg"},
                 .fallback = "auto",
                 .meaning = "how a stage is solved; auto takes the fastest"},
-               {.name = "step",
-                .min = 0,
-                .min_open = true,
-                .unit = "s",
-                .meaning = "fixed step instead of a controlled one"}},
+               fixed_step_key()},
       .examples = {"esdirk:rtol=1e-6", "esdirk:step=15"},
       .ladder = rtol_ladder("esdirk", 2, 9),
       .make = [](const Options& options) { return std::make_unique<Esdirk>(options); }};

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "core/parallel.hpp"
 #include "integrators/detail/krylov/krylov_space.hpp"
@@ -24,10 +23,7 @@ constexpr std::size_t fewest_of_a_step = 40, most_of_a_step = 400;
 class ExponentialRosenbrock final : public OneStepMethod {
  public:
   explicit ExponentialRosenbrock(const Options& options)
-      : rtol_(options.number("rtol")), fixed_step_(options.given("step").value_or(0)) {
-    static const std::array<std::string, 2> one_of = {"rtol", "step"};
-    options.at_most_one_of(one_of);
-  }
+      : rtol_(options.number("rtol")), fixed_step_(fixed_step_of(options)) {}
 
   void prepare(Rhs& rhs, const Task& task) override {
     rhs_ = &rhs;
@@ -206,12 +202,7 @@ IntegratorEntry exprb_entry() {
           .colour = "#7f6bb3",
           .order = 4,
           .adaptive = true,
-          .keys = {tolerance_key("1e-4"),
-                   {.name = "step",
-                    .min = 0,
-                    .min_open = true,
-                    .unit = "s",
-                    .meaning = "fixed step instead of a controlled one"}},
+          .keys = {tolerance_key("1e-4"), fixed_step_key()},
           .examples = {"exprb:rtol=1e-6", "exprb:step=15"},
           .ladder = rtol_ladder("exprb", 2, 10),
           .make = [](const Options& options) { return std::make_unique<ExponentialRosenbrock>(options); }};

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "core/error.hpp"
 #include "integrators/detail/tolerance.hpp"
 #include "integrators/registry.hpp"
@@ -29,11 +27,7 @@ std::vector<OptionKey> trapezoidal_keys() {
        .meaning =
            "how a step is solved; auto takes the fastest of klu, cholmod and pcg; fixed-point adapts its "
            "step as the sintering paper does"},
-      {.name = "step",
-       .min = 0,
-       .min_open = true,
-       .unit = "s",
-       .meaning = "fixed step instead of a controlled one"},
+      fixed_step_key(),
       {.name = "iterations",
        .type = OptionKey::Type::integer,
        .min = 2,
@@ -59,7 +53,6 @@ std::vector<OptionKey> trapezoidal_keys() {
 }
 
 std::unique_ptr<Method> make_trapezoidal(const Options& options) {
-  static const std::array<std::string, 2> one_of = {"rtol", "step"};
   TrapezoidalSettings rule;
   rule.phi = options.number("phi");
   rule.rtol = options.number("rtol");
@@ -69,7 +62,7 @@ std::unique_ptr<Method> make_trapezoidal(const Options& options) {
     return std::make_unique<TrapezoidalFixedPoint>(
         rule, FixedPointSettings{options.integer("iterations"), options.integer("p"),
                                  options.word("control") == "paper"});
-  options.at_most_one_of(one_of);
+  rule.fixed_step = fixed_step_of(options);
   for (const char* key : {"iterations", "p", "control"})
     if (options.has(key))
       throw UsageError(std::string("trapezoidal: ") + key +

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -21,8 +20,7 @@ std::vector<OptionKey> stabilised_keys(const OfferedFamilies& families) {
     fewest = std::min(fewest, family->fewest_stages);
     most = std::max(most, family->most_stages);
   }
-  keys.push_back(
-      {.name = "step", .min = 0, .min_open = true, .unit = "s", .meaning = "fixed step instead of rtol"});
+  keys.push_back(fixed_step_key());
   keys.push_back({.name = "stages",
                   .type = OptionKey::Type::integer,
                   .min = static_cast<double>(fewest),
@@ -49,10 +47,8 @@ std::unique_ptr<Method> make_stabilised(const OfferedFamilies& families, const O
 Stabilised::Stabilised(const StabilisedFamily& family, const Options& options)
     : family_(family),
       rtol_(options.number("rtol")),
-      fixed_step_(options.given("step").value_or(0)),
+      fixed_step_(fixed_step_of(options)),
       fixed_stages_(static_cast<int>(options.given("stages").value_or(0))) {
-  static const std::array<std::string, 2> one_of = {"rtol", "step"};
-  options.at_most_one_of(one_of);
   if (fixed_stages_ == 0) return;
   if (!(fixed_step_ > 0))
     throw UsageError(
