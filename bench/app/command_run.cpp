@@ -61,22 +61,18 @@ FinishedRun integrate(const Scene& scene, const ProbeSet& probes, const MethodSp
   const bool verified = command.verify;
   RunRequest request{
       .probes = &probes, .stop = &stop_flag(), .progress = &progress, .limits = command.limits};
-  // Of scenes that processes may build together nobody knows all surroundings: one process judges them no
-  // more than several do.
-  const bool knows_range = !scene.own_nodes && !scene.fields.front().in_order;
-  OutputErrors range(scene, nullptr);
   request.observe = [&](std::size_t output, double t, std::span<const double> state) {
     if (vtk) vtk->add(t, state);
-    if (knows_range) range.observe(output, t, state);
     if (verified) run.states.emplace_back(state.begin(), state.end());
     if (output + 1 == scene.output_times.size()) run.final_state.assign(state.begin(), state.end());
   };
   if (vtk) request.frames = vtk->folder_of_pieces();
   request.write_frame = write_layered_frame;
+  request.watches_range = true;
   progress.begin(spec.text(), scene.t_end);
   run.result = run_one(scene, spec, request);
   progress.end();
-  if (run.result.outcome.ok()) range.judge_range(run.result.spans, run.result.outcome);
+  if (run.result.outcome.ok()) judge_range(scene, run.result, run.result.outcome);
   if (verified && run.result.outcome.ok()) {
     run.check = check_run(scene, spec, run.result, run.states, stop_flag(), progress, command.limits);
     run.result.outcome = judge_check(scene, *run.check);

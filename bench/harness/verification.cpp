@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bench/measure/metrics.hpp"
+#include "bench/measure/range_watch.hpp"
 #include "bench/measure/run_one.hpp"
 #include "bench/measure/scene_facts.hpp"
 #include "integrators/registry.hpp"
@@ -50,9 +51,7 @@ OutputErrors::OutputErrors(const Scene& scene, const Reference* reference)
 void OutputErrors::observe(std::size_t output, double t, std::span<const double> state) {
   const auto fields = scene_.rhs->fields();
   for (std::size_t f = 0; f < fields.size(); ++f) {
-    const FieldScene& described = scene_field(scene_, fields[f].name);
-    const FieldRange range = attainable_range(described.range_of_state(), scene_.rhs->facts().fields[f], t);
-    keep_larger(errors_[f].overshoot, overshoot(fields[f], state, range.low, range.high));
+    keep_larger(errors_[f].overshoot, overshoot_at(scene_, f, t, state));
     if (!reference_) continue;
     const Deviation difference = deviation(fields[f], state, reference_->states[output]);
     keep_larger(errors_[f].rms, difference.rms);
@@ -76,12 +75,14 @@ void OutputErrors::judge_besides(std::size_t field, Outcome& outcome) const {
   }
 }
 
-void OutputErrors::judge_range(std::span<const double> spans, Outcome& outcome) const {
-  const auto fields = scene_.rhs->fields();
-  for (std::size_t f = 0; f < fields.size(); ++f) {
+void judge_range(const Scene& scene, const RunResult& run, Outcome& outcome) {
+  const auto fields = scene.rhs->fields();
+  for (std::size_t f = 0; f < run.overshoot.size(); ++f) {
     FieldErrors errors;
-    errors.overshoot = errors_[f].overshoot;
-    errors.span = f < spans.size() ? spans[f] : scene_field(scene_, fields[f].name).range_of_state().span();
+    errors.overshoot = run.overshoot[f];
+    // Nobody has looked for spans on behalf of a method without a tolerance.
+    errors.span =
+        f < run.spans.size() ? run.spans[f] : scene_field(scene, fields[f].name).range_of_state().span();
     judge(errors, fields[f].name, fields[f].unit, outcome);
   }
 }

@@ -9,6 +9,7 @@
 #include "bench/harness/reference.hpp"
 #include "bench/measure/probe_set.hpp"
 #include "bench/measure/run_limits.hpp"
+#include "bench/measure/run_one.hpp"
 #include "case/scene.hpp"
 #include "integrators/integrator.hpp"
 #include "integrators/method_spec.hpp"
@@ -34,9 +35,6 @@ class OutputErrors {
   /// `inaccurate`: a value out of its range, and the error of another field.
   ///   field  position of the one whose error is no matter here
   void judge_besides(std::size_t field, Outcome& outcome) const;
-  /// The same of a value out of its range alone, of a run without a reference.
-  ///   spans  [fields] K or V, or empty: then that of what fields may be at the start counts
-  void judge_range(std::span<const double> spans, Outcome& outcome) const;
 
   [[nodiscard]] const std::vector<FieldErrors>& errors() const noexcept { return errors_; }
   [[nodiscard]] std::span<const double> last() const noexcept { return last_; }  ///< state observed
@@ -56,6 +54,9 @@ class OutputErrors {
 
 /// What a tolerance allows a field: not less than a hundred roundings of its values [K or V].
 [[nodiscard]] double allowed_error(const Scene& scene, const FieldView& field, double rtol, double span);
+
+/// Values out of their range make the outcome `inaccurate`, of a run without a reference, too.
+void judge_range(const Scene& scene, const RunResult& run, Outcome& outcome);
 
 /// What a method delivered over what was asked for [-]; empty where the reference is not known well enough to
 /// tell whether that is within ten times the tolerance.

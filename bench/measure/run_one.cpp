@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bench/host/watchdog.hpp"
+#include "bench/measure/range_watch.hpp"
 #include "bench/measure/run_over.hpp"
 #include "bench/measure/shared/shared_run.hpp"
 #include "bench/measure/shared/shared_scene.hpp"
@@ -131,9 +132,17 @@ void add_roundings_of_origins(const Scene& scene, RunResult& result) {
 
 }  // namespace
 
-RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& request) {
+RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& wanted) {
   auto method = std::make_unique<Integrator>(spec.make());
   RunResult result;
+  RunRequest request = wanted;
+  RangeWatch range(scene);
+  const bool sees_all = !scene.own_nodes;  // else each process looks at what it has
+  if (wanted.watches_range && sees_all)
+    request.observe = [&](std::size_t output, double t, std::span<const double> state) {
+      range.observe(t, state);
+      if (wanted.observe) wanted.observe(output, t, state);
+    };
   Watch watch(scene, spec, request);
   Plan plan = plan_of(scene, spec, request, watch);
   const auto stepping_begins = [&] { watch.stepping_begins(); };
@@ -153,6 +162,7 @@ RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& 
     }
   }
   result.outcome = watch.judged(std::move(outcome));
+  if (wanted.watches_range && sees_all) result.overshoot = range.overshoot();
   add_roundings_of_origins(scene, result);
   return result;
 }

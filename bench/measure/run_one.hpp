@@ -45,6 +45,7 @@ struct RunRequest {
   /// Of a scene that is built in layers: where its frames go, empty = nowhere, and who writes them here.
   std::string frames = {};
   WriteFrame write_frame = {};
+  bool watches_range = false;  ///< the result says how far values leave theirs
 };
 
 struct RunResult {
@@ -59,6 +60,8 @@ struct RunResult {
   double cpu_prepare = 0, wall_prepare = 0, cpu_stepping = 0, wall_stepping = 0;  ///< s
   std::string choice;    ///< what the method chose by itself and why; may be empty
   double t_reached = 0;  ///< s
+  /// [fields] how far values at output times left the range that they can take [K or V]; empty: nobody asked.
+  std::vector<double> overshoot;
   ProbeHistory history;  ///< begins with the initial state; empty unless probes were asked for
   bool threw = false;    ///< the outcome is an exception's
   int processes = 1;     ///< that took part; their CPU times are added up, and the longest wall time counts
@@ -81,7 +84,7 @@ struct RunResult {
 
 /// Builds the method anew and runs it. What the method cannot do or fails to do is an outcome. Stepping
 /// begins with `start`: estimates of the spectrum and the first step size are part of it.
-[[nodiscard]] RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& request);
+[[nodiscard]] RunResult run_one(const Scene& scene, const MethodSpec& spec, const RunRequest& wanted);
 
 /// What a scene says about any run over it: output times, ranges of values, settling. Spans are not among it.
 [[nodiscard]] Plan scene_plan(const Scene& scene);

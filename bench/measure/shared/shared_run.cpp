@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "bench/host/interrupt.hpp"
 #include "bench/host/terminal.hpp"
+#include "bench/measure/range_watch.hpp"
 #include "bench/measure/run_over.hpp"
 #include "bench/measure/shared/worker.hpp"
 #include "core/error.hpp"
@@ -137,9 +139,11 @@ void settle_exception(const Outcome& outcome) {
 }
 
 /// Looks at the states of a scene that nobody has as a whole.
-///   here  what is here of it
-auto observer_of_part(const Scene& here, ScenePart& part, const RunOrder& order, const RunRequest& request) {
+///   here  what is here of it;  range  of its values
+auto observer_of_part(const Scene& here, ScenePart& part, const RunOrder& order, const RunRequest& request,
+                      RangeWatch& range) {
   return [&](std::size_t output, double t, std::span<const double> state) {
+    range.observe(t, state);
     if (!order.frames.empty()) request.write_frame(here, order.frames, output + 1, t, state);
     if (request.observe) return request.observe(output, t, state);  // the root keeps it as it likes
     if (output + 1 == order.plan.output_times.size()) part.final_state.assign(state.begin(), state.end());
@@ -163,8 +167,9 @@ Outcome take_part_in(ScenePart& part, const Scene* here, const RunOrder& order, 
     plan.history = &result.history;
   }
   std::function<void(std::size_t, double, std::span<const double>)> observe;
+  std::optional<RangeWatch> range;
   if (here)
-    observe = observer_of_part(*here, part, order, request);
+    observe = observer_of_part(*here, part, order, request, range.emplace(*here));
   else if (order.observed)
     observe = [&](std::size_t output, double t, std::span<const double> state) {
       const auto whole = whole_state(*part.rhs, state);
@@ -184,6 +189,8 @@ Outcome take_part_in(ScenePart& part, const Scene* here, const RunOrder& order, 
   count_work(before, *part.rhs, result);
   take_facts(*method, result);
   add_up_costs(traffic, part.entries, result);
+  if (range)
+    for (const double own : range->overshoot()) result.overshoot.push_back(world().max(own));
   if (order.records) result.history = gather_history(order.plan.probes.size(), probes, result.history);
   return outcome;
 }

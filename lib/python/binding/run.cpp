@@ -102,17 +102,15 @@ py::dict run(BoundScene& bound, const std::string& method, std::optional<double>
   Rows rows(times.size(), bound.unknowns().size());
   std::size_t reached = 0;
   Interruptible work;
-  RunRequest request{.stop = &work.stop(), .limits = {.seconds = time_limit}};
-  OutputErrors range(use.scene(), nullptr);
+  RunRequest request{.stop = &work.stop(), .limits = {.seconds = time_limit}, .watches_range = true};
   request.observe = [&](std::size_t k, double t, std::span<const double> state) {
-    range.observe(k, t, state);
     bound.unknowns().to_user(state, rows.row(k));
     reached = k + 1;
     if (!on_output.is_none()) work.in_interpreter([&, k, t] { on_output(t, rows.row_view(k)); });
   };
   RunResult result;
   work.run(threads, [&] { result = run_one(use.scene(), spec, request); });
-  if (result.outcome.ok()) range.judge_range(result.spans, result.outcome);
+  if (result.outcome.ok()) judge_range(use.scene(), result, result.outcome);
 
   times.resize(reached);
   py::dict out;
